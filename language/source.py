@@ -130,9 +130,19 @@ A pattern, compiled on first use, since a start needs none.
 """
 
 
+LONGEST_QUOTE = 40
+"""Characters of what was typed that an answer repeats."""
+
+
 def printable(text: str) -> str:
     """The text as one line."""
     return text if text.isprintable() else re.sub(HARMFUL, " ", text)
+
+
+def quoted(text: str, longest: int = LONGEST_QUOTE) -> str:
+    """What was typed, as an answer repeats it: on one line, cut if it has over ``longest`` characters."""
+    shown = printable(text)
+    return shown if len(shown) <= longest else f"{shown[: longest - 1]}…"
 
 
 def cleaned(text: str) -> str:

@@ -37,6 +37,7 @@ from donnie_tui.robot.connection import (
 from donnie_tui.robot.search import sentences_of
 from donnie_tui.settings.parsing import DOUBLE, SIMULATED, colours_text, remember
 from language.keywords import argument_spelling
+from language.source import quoted
 
 if TYPE_CHECKING:
     from devices.camera import ColourCamera, ColourRange
@@ -269,7 +270,7 @@ class _Listeners(Struct, frozen=True):
 def _calibrate_colours(order: Order, what: str) -> int:
     """Measure each colour, then write the ranges. The exit code is 1 if there is nothing to keep."""
     if what.lower() not in COLOUR:
-        raise Unusable(order.words("usage-unrecognized", what=what[:40]))
+        raise Unusable(order.words("usage-unrecognized", what=quoted(what)))
     camera = make_camera(order.settings)
     if camera is None:
         raise Unusable(order.words("calibrate-no-camera"))

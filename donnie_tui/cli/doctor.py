@@ -35,6 +35,7 @@ from donnie_tui.settings.settings import KEYS, Settings, SettingSource
 from donnie_tui.world.loading import choose_world
 from language import keywords
 from language.locales import languages
+from language.source import quoted
 
 if TYPE_CHECKING:
     from devices.serial_ports import FoundPort
@@ -260,7 +261,7 @@ def look_at_chosen_ports(
         if not (port and is_named(port)) or "://" in port or os.path.exists(port):  # noqa: PTH110 -- any text may stand there
             continue
         if not any(is_same_port(port, each.device) for each in (found or list_ports)()):
-            yield amiss("doctor-nothing-there", port=port[:40], setting=setting)
+            yield amiss("doctor-nothing-there", port=quoted(port), setting=setting)
 
 
 def look_at_reset(settings: Settings, reset: Callable[[str, str], object] | None = None) -> Iterator[Finding]:
@@ -340,7 +341,7 @@ def _short(value: object) -> str:
         value = os.pathsep.join(map(str, value))
     if isinstance(value, Mapping):
         value = ", ".join(f"{name} {each}" for name, each in value.items())
-    return "max" if value is None else str(value)[:40]
+    return "max" if value is None else quoted(str(value))
 
 
 def doctor(order: Order) -> int:

@@ -41,6 +41,7 @@ from donnie_tui.settings.settings import (
     limits_of,
     resolve,
 )
+from language.source import quoted
 
 if TYPE_CHECKING:
     from donnie_tui.linear.greeting import Greeting
@@ -93,7 +94,7 @@ def main(arguments: list[str], greeting: Greeting | None = None, *, joins_server
     except WrongUsage as wrong:
         complaint = words(wrong.code, what=wrong.what, near=wrong.near)
     except BadOption as bad:
-        option, value = f"--{bad.key.replace('_', '-')}", bad.value[:40]
+        option, value = f"--{bad.key.replace('_', '-')}", quoted(bad.value)
         complaint = words("bad-option", option=option, value=value, wanted=bad.wanted)
     except Unusable as unusable:
         *before, complaint = unusable.sentences_after(arguments)

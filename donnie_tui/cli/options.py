@@ -20,6 +20,7 @@ from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import BY_KEY, CONFINED, DEVICES, BadOption, Settings, resolve
 from language.locales import first_page, languages
+from language.source import quoted
 
 if TYPE_CHECKING:
     from donnie_tui.linear.greeting import Greeting
@@ -377,7 +378,6 @@ _PROBLEMS = (
 )
 """The errors of argparse, each with the code of its sentence."""
 
-_LONGEST_QUOTE = 40
 _HELP = ("-h", "-H", "--help")
 
 
@@ -411,8 +411,8 @@ class _Parser(argparse.ArgumentParser):
         for pattern, code in _PROBLEMS:
             found = re.fullmatch(pattern, message)
             if found:
-                raise WrongUsage(code, ", ".join(found.groups())[:_LONGEST_QUOTE])
-        raise WrongUsage("usage-unrecognized", message[:_LONGEST_QUOTE])
+                raise WrongUsage(code, quoted(", ".join(found.groups())))
+        raise WrongUsage("usage-unrecognized", quoted(message))
 
 
 def _formatter(sentence: Words) -> type[argparse.HelpFormatter]:

@@ -41,7 +41,7 @@ from donnie_tui.settings.settings import faster_than, slower_than, speed_words
 from donnie_tui.world.recorded import settings_of, unpacked
 from language.control import ExecutionControl
 from language.locales import languages
-from language.source import printable
+from language.source import printable, quoted
 
 if TYPE_CHECKING:
     from donnie_tui.core.reports import Subject
@@ -94,8 +94,7 @@ def _print_verdict(order: Order, recording: Recording, header: Header, verdict: 
 def _excerpt(stamped: Stamped | None, words: Words) -> str:
     if stamped is None:
         return words("recheck-nothing")
-    text = printable(as_line(stamped).strip())
-    return text if len(text) <= LONGEST_EXCERPT else f"{text[: LONGEST_EXCERPT - 1]}…"
+    return quoted(as_line(stamped).strip(), LONGEST_EXCERPT)
 
 
 _NEAR_THE_BEGINNING = 100

@@ -24,11 +24,11 @@ from donnie_tui.core.program_text import (
     mistakes,
     not_found,
     not_replaceable,
-    quoted_word,
 )
 from donnie_tui.core.wording import language_named, name_of_language
 from language.formatter import formatted
 from language.locales import languages
+from language.source import quoted
 
 MOST_AT_ONCE = 20
 """Lines that LIST says one after the other; more are shown as a page, where there are pages."""
@@ -421,7 +421,7 @@ async def replace(ctx: Context, argument: str) -> None:
     if not count:
         ctx.say(not_replaceable(document.lines, wanted, ctx.words))
         return
-    question = ctx.words("ask-replace-by", word=quoted_word(wanted))
+    question = ctx.words("ask-replace-by", word=quoted(wanted))
     instead = replacement(await ctx.interaction.ask(question))
     if instead is None:
         raise GivenUp

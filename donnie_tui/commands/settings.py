@@ -24,10 +24,8 @@ from donnie_tui.commands.preferences import (
 )
 from donnie_tui.commands.sound import LOUD, chime, cue_meant, cue_volume_typed, cue_word
 from donnie_tui.core.wording import spelled
-from language.source import printable
+from language.source import quoted
 
-LONGEST_NAME = 40
-"""Characters of a typed name that an answer repeats."""
 VOLUMES = (100, 75, 50, 25, 0)
 """Volumes of a cue to choose from; others can be typed: SET cue bump 60."""
 _AS_BEFORE = ""
@@ -84,7 +82,7 @@ async def set_value(ctx: Context, argument: str) -> None:
     preference = find_preference(name, ctx.words)
     if preference is None:
         ctx.refuse()
-        ctx.answer("screen-no-setting", name=printable(name[:LONGEST_NAME]))
+        ctx.answer("screen-no-setting", name=quoted(name))
     elif preference.where is (Where.LINEAR if ctx.screen is not None else Where.SCREEN):
         ctx.answer(_only_in_other_mode(ctx))
     elif preference.key == "cues":
@@ -204,7 +202,7 @@ async def _set_cue(ctx: Context, argument: str) -> None:
     cue = cue_meant(word) if word else None
     if word and cue is None:
         ctx.refuse()
-        ctx.answer("cues-unknown", name=printable(word[:LONGEST_NAME]))
+        ctx.answer("cues-unknown", name=quoted(word))
     elif cue is None:
         await _choose_cues(ctx)
     elif not typed:

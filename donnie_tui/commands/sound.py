@@ -10,14 +10,13 @@ from donnie_tui.commands.interaction import NotUnderstood, switched
 from donnie_tui.core.events import Answered, Chimed
 from donnie_tui.core.wording import meant, spelled
 from donnie_tui.settings.parsing import read_percent
+from language.source import quoted
 
 LOUD, SILENT = 100, 0
 BETWEEN = 0.7
 """Seconds from the end of a cue and of its name to the next one."""
 FOR_READERS = 2.0
 """Seconds for its name where a screen reader says it."""
-LONGEST_NAME = 40
-"""Characters of a typed name that an answer repeats."""
 _CHECK_INTERVAL = 0.05
 _LONGEST_UTTERANCE = 100
 """Number of checks."""
@@ -37,7 +36,7 @@ async def cues(ctx: Context, argument: str) -> None:
     audible, name = ctx.donnie.outlets.audible, cue_meant(argument)
     if argument and name is None:
         ctx.refuse()
-        ctx.answer("cues-unknown", name=argument[:LONGEST_NAME])
+        ctx.answer("cues-unknown", name=quoted(argument))
         return
     hushed = audible.hushed
     if not audible.has_cues:

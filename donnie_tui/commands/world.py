@@ -21,10 +21,8 @@ from donnie_tui.core.timeline import Trail
 from donnie_tui.core.wording import shown_name
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings, SettingSource
-from language.source import printable
+from language.source import printable, quoted
 
-LONGEST_NAME = 40
-"""Characters of a typed name that an answer repeats."""
 LEAST_MAP_ROWS = 5
 """The least number of rows for a map in a list."""
 
@@ -344,7 +342,7 @@ async def enter_world(ctx: Context, typed: str) -> None:
     """Enter another world with the same programs. Reading a learner's file may take long."""
     from donnie_tui.commands.build import may_leave_built
 
-    slow = ctx.words("slow-world", name=typed[:LONGEST_NAME])
+    slow = ctx.words("slow-world", name=quoted(typed))
     name = await ctx.interaction.background(lambda: world_to_enter(ctx, typed), slow)
     if name is not None and await may_leave_built(ctx):
         if ctx.donnie.world.challenge is not None:

@@ -15,7 +15,7 @@ from unicodedata import normalize
 from donnie_tui.core.events import LineFile, Stamped
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.core.wording import Wording
-from language.source import fold_name
+from language.source import fold_name, quoted
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -96,15 +96,11 @@ def none_so_far(log: AnswerLog, wording: Wording) -> str:
     return wording("answers-so-far", count=len(log)) if len(log) else wording("answer-nothing-said")
 
 
-LONGEST_QUOTE = 40
-"""Characters of the word that the sentence "not said" quotes, at most."""
-
-
 def found_in_words(log: AnswerLog, typed: str, wording: Wording) -> tuple[str, ...]:
     """The number of lines that contain the word, and the lines; or the sentence that none does."""
     found = log.found(typed)
     if not found:
-        return (wording("find-none", word=typed[:LONGEST_QUOTE]),)
+        return (wording("find-none", word=quoted(typed)),)
     return (wording("find-count", count=len(found)), *found)
 
 

@@ -17,13 +17,11 @@ from language import keywords
 from language.diagnostics import Diagnostic, Severity
 from language.lexer import lex
 from language.outline import ENDS, OutlineItem, outline
-from language.source import MARK, fold, fold_name, printable
+from language.source import MARK, fold, fold_name, quoted
 from language.tables import TERMINALS
 
 WIDEST = 80
 """Characters of a line of the outline."""
-LONGEST_WORD = 40
-"""Characters of a searched word that a message repeats."""
 ALIKE = 0.6
 """From this likeness on a typed line is meant to correct a wrong one."""
 LONGEST_ALIKE = 300
@@ -264,13 +262,8 @@ def _find_in_line(line: str, folded: str, row: int, column: int) -> Place | None
     return Place(row, columns[at], columns[end] if end < len(columns) else len(line))
 
 
-def quoted_word(wanted: str) -> str:
-    """A searched word as a message repeats it."""
-    return printable(wanted[:LONGEST_WORD])
-
-
 def not_found(wanted: str, wording: Wording) -> str:
-    return wording("screen-not-found", word=quoted_word(wanted))
+    return wording("screen-not-found", word=quoted(wanted))
 
 
 def not_replaceable(lines: Sequence[str], wanted: str, wording: Wording) -> str:
@@ -278,7 +271,7 @@ def not_replaceable(lines: Sequence[str], wanted: str, wording: Wording) -> str:
     place = find_word(lines, wanted, 0)
     if place is None:
         return not_found(wanted, wording)
-    written = quoted_word(lines[place.row][place.start : place.end])
+    written = quoted(lines[place.row][place.start : place.end])
     return wording("replace-otherwise", line=place.row + 1, word=written)
 
 

@@ -53,7 +53,7 @@ from donnie_tui.core.events import (
 from donnie_tui.core.transcript import printed_lines, with_robot_name
 from donnie_tui.core.wording import Wording, compass_heading, facing, whole_steps
 from language.control import ExecutionControl
-from language.source import printable
+from language.source import quoted
 from sim.geometry import nearest_on_edge
 
 _ABOUT_AN_EVENT = ("moved", "turned", "driven", "scan", "sound", "link", "gripper", "pushed")
@@ -409,8 +409,7 @@ def _place(event: Event, pose: Pose | None, wording: Wording) -> str:
 
 
 def _quoted(text: str) -> str:
-    shown = printable(" ".join(text.split())).rstrip(".")
-    return shown if len(shown) <= LONGEST_QUOTE else f"{shown[: LONGEST_QUOTE - 1]}…"
+    return quoted(" ".join(text.split()).rstrip("."), LONGEST_QUOTE)
 
 
 # --- where a robot was

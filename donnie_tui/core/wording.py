@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Protocol
 from devices.ports.robot import Pose
 from language import locales
 from language.locales import ENGLISH, language_of_locale, languages
-from language.source import fold_name
+from language.source import fold_name, quoted
 
 if TYPE_CHECKING:
     from donnie_tui.core.events import Error
@@ -177,7 +177,7 @@ def robot_called(typed: str, names: Sequence[str]) -> str | None:
 def no_such_robot(typed: str, names: Sequence[str], most: int, wording: Wording) -> str:
     """The sentence that no robot has that name, with the first names of those there are."""
     shown = [*names[:most], *(["…"] if len(names) > most else [])]
-    return wording("robot-unknown", name=typed[:40], names=all_of(shown, wording), count=len(names))
+    return wording("robot-unknown", name=quoted(typed), names=all_of(shown, wording), count=len(names))
 
 
 def all_of(names: Sequence[str], wording: Wording) -> str:

@@ -25,7 +25,7 @@ from language.diagnostics import Diagnostic, MistakeKind
 from language.keywords import argument_spelling, argument_words
 from language.locales import ENGLISH, keys, languages
 from language.locales import words as command_words
-from language.source import fold_name, printable
+from language.source import fold_name, printable, quoted
 
 if TYPE_CHECKING:
     from sim.scene import Note
@@ -290,7 +290,7 @@ def _values(diagnostic: Diagnostic, words: Wording) -> dict[str, object]:
     """The values for the placeholders of a sentence."""
     values: dict[str, object] = {"name": diagnostic.found, "limit": "", "wanted": 0, "given": 0}
     values |= diagnostic.details
-    values |= {key: _shortened(str(values.get(key, ""))) for key in ("name", "in_procedure")}
+    values |= {key: quoted(str(values.get(key, "")), LONGEST_QUOTE) for key in ("name", "in_procedure")}
     values |= {"found": _found(diagnostic, words), "expected": _expected(diagnostic, words)}
     for key in ("opener", "word", "missing"):
         values[key] = _spelled(str(values.get(key, "")), words)
@@ -301,7 +301,7 @@ def _values(diagnostic: Diagnostic, words: Wording) -> dict[str, object]:
 
 def _name(diagnostic: Diagnostic) -> str:
     """The name as typed, else from the details."""
-    return _shortened(diagnostic.found or str(diagnostic.details.get("name", "")))
+    return quoted(diagnostic.found or str(diagnostic.details.get("name", "")), LONGEST_QUOTE)
 
 
 def _closer(diagnostic: Diagnostic, words: Wording) -> str:
@@ -338,7 +338,7 @@ def _thing(expected: str, words: Wording) -> str:
 
 def _found(diagnostic: Diagnostic, words: Wording) -> str:
     found = " ".join(diagnostic.found.split())
-    return _sign(found, words) if found in CODE_OF_SIGN else _shortened(found)
+    return _sign(found, words) if found in CODE_OF_SIGN else quoted(found, LONGEST_QUOTE)
 
 
 def _sign(sign: str, words: Wording) -> str:
@@ -352,12 +352,6 @@ def _spelled(word: str, words: Wording) -> str:
     """A canonical word in the learner's language, anything else as it is."""
     canonical = keywords.canonical(word)
     return keywords.spelling(canonical, words.language) if canonical else word
-
-
-def _shortened(text: str) -> str:
-    """The typed text, shortened, without characters that a terminal would obey."""
-    shown = printable(" ".join(text.split()))
-    return shown if len(shown) <= LONGEST_QUOTE else f"{shown[: LONGEST_QUOTE - 1]}…"
 
 
 # --- EXPLAIN

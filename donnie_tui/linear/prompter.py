@@ -18,15 +18,13 @@ from donnie_tui.linear.output import LARGEST_BLOCK, BackgroundRobots, Listener, 
 from donnie_tui.linear.reader import EditingReader, How, Reader, Typed
 from donnie_tui.settings.settings import Settings
 from language import keywords
-from language.source import printable
+from language.source import quoted
 
 GRACE = 0.025
 """Seconds that a line waits for the ones after it, so that an answer and the prompt go out together."""
 ON = "on"
 OWN_EDITOR = "own"
 """The value of ``editor`` with which Donnie edits lines; else the terminal does, and only text is written."""
-LONGEST_QUOTE = 30
-"""Characters of a wrong answer that are repeated."""
 SOON = 1.0
 """Seconds between two copies while lines come without a pause."""
 
@@ -172,7 +170,7 @@ class Printer:
             if holds:
                 self._typed_early = typed
                 return False
-            lines = [self._words("more-not-understood", word=printable(text[:LONGEST_QUOTE]))]
+            lines = [self._words("more-not-understood", word=quoted(text))]
 
 
 class Prompter:

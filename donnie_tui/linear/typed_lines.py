@@ -29,7 +29,7 @@ from donnie_tui.linear.prompter import GRACE, Printer, Prompter, Streams
 from donnie_tui.linear.reader import How, Typed
 from language import keywords
 from language.diagnostics import Diagnostic, MistakeKind
-from language.source import printable
+from language.source import quoted
 
 FIRST_REPORT = 3.0
 """Seconds without a line after which a run first reports that it is still there; later ones can be chosen."""
@@ -39,8 +39,6 @@ RUNS = "runs"
 """The value of ``enter`` with which Enter runs each complete line at once."""
 LAST_LINES = 3
 """Lines of a stopped program that are still printed; the number of those left out is printed, too."""
-LONGEST_QUOTE = 30
-"""Characters of a refused line that its answer repeats."""
 
 
 class TypedLines:
@@ -384,5 +382,5 @@ class RunLoop(RunObserver):
             if self._leaving.world:
                 self._stop()
         elif not says_slip(self._ctx, line):
-            self._ctx.answer("line-not-taken", line=printable(line[:LONGEST_QUOTE]))
+            self._ctx.answer("line-not-taken", line=quoted(line))
             self._ctx.answer("stepping-commands")

@@ -70,6 +70,7 @@ from donnie_tui.settings.parsing import (
     read_wheels,
 )
 from language.locales import ENGLISH, language_of_locale, languages
+from language.source import quoted
 
 if TYPE_CHECKING:
     from donnie_tui.core.wording import Wording
@@ -399,7 +400,7 @@ def _limit(key: Key, source: Mapping[str, object]) -> Any:
             raise ValueError(given)
         return key.read(given)
     except ValueError:
-        values = {"name": key.key, "value": str(given)[:40], "wanted": key.wanted}
+        values = {"name": key.key, "value": quoted(str(given)), "wanted": key.wanted}
         raise BadLimitsError("limit-not-understood", **values) from None
 
 
@@ -461,11 +462,11 @@ def _complain(each: Key, source: SettingSource, shown_name: str, given: object) 
         raise BadOption(each.key, str(given), each.wanted)
     code = "setting-not-understood" if source is SettingSource.FILE else "variable-not-understood"
     code += "-example" if each.is_example else "-values" if each.has_named_values else ""
-    return Notice(code, {"name": shown_name, "value": str(given)[:40], "wanted": each.wanted})
+    return Notice(code, {"name": shown_name, "value": quoted(str(given)), "wanted": each.wanted})
 
 
 def _unknown(key: str) -> Notice:
-    return Notice("setting-unknown", {"name": key[:40]})
+    return Notice("setting-unknown", {"name": quoted(key)})
 
 
 # --- the speeds that SLOWER and FASTER choose from

@@ -49,7 +49,7 @@ from donnie_tui.tui.widgets.rows import TYPED_MARK
 from language.diagnostics import MistakeKind
 from language.keywords import spelling
 from language.outline import block_depth
-from language.source import printable
+from language.source import quoted
 
 CHECK_AFTER = 0.4
 """Seconds without typing after which mistakes are marked."""
@@ -112,7 +112,7 @@ class ScreenController:
         notices, settings, opening = self.donnie.notices, self.ctx.preferences.settings, None
         self.ctx.say(*(notices.all if restored is None else notices.about_devices))
         for entry in not_understood(settings.keys):
-            self.ctx.answer("keys-not-understood", entry=printable(entry[:40]))
+            self.ctx.answer("keys-not-understood", entry=quoted(entry))
         if text is not None:
             self.workspace.replace(text, file, in_file="")
             opening = attempt(self.ctx, compare_with_file(self.ctx))

@@ -18,7 +18,7 @@ from donnie_tui.commands.interaction import MapPane, Option, answered
 from donnie_tui.commands.keys import KeyTable
 from donnie_tui.commands.lookup import word_of
 from donnie_tui.commands.preferences import Preferences
-from donnie_tui.core.answer_log import LONGEST_QUOTE, AnswerLog
+from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.map_scene import Line
 from donnie_tui.core.map_words import Pointer
 from donnie_tui.core.runner import RunRequest
@@ -35,6 +35,7 @@ from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.screens.pages import Help, KeyCapture, Tour, TourStrip
 from donnie_tui.tui.terminal import TerminalApp
 from donnie_tui.tui.widgets.command_line import CommandLine
+from language.source import quoted
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -313,7 +314,7 @@ class ScreenInteraction:
 
     def search_log(self, word: str, lines: int) -> None:
         is_marked = self._place.log_rows.search(word)
-        self._controller.display.entitle_log((word[:LONGEST_QUOTE], lines) if is_marked else None)
+        self._controller.display.entitle_log((quoted(word), lines) if is_marked else None)
 
     @property
     def log_kinds(self) -> Mapping[str, int]:

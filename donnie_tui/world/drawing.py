@@ -24,7 +24,7 @@ from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.world import things
 from donnie_tui.world.loading import allowed_folders, scene_of
 from language.locales import languages
-from language.source import fold_name
+from language.source import fold_name, quoted
 from sim.picture import Thing, all_things
 from sim.scene import Scene
 
@@ -163,7 +163,7 @@ class _Drawing:
             self._scale = steps
         elif found is None or letter in self._places:
             code = "drawing-letter-twice" if found else "drawing-legend"
-            self._slip(code, (number, line.index(first)), letter=letter, found=first[:40])
+            self._slip(code, (number, line.index(first)), letter=letter, found=quoted(first))
         elif letter[0] in ARROWS:
             self._names, self._places[ARROWS] = names, (number, 0)
         else:

@@ -27,7 +27,7 @@ from donnie_tui.process.confinement import open_bytes
 from donnie_tui.world.loading import MOST_KNOWN, Site, SiteChange, allowed_folders, include_for, scene_of
 from language.keywords import COLOURS
 from language.locales import languages
-from language.source import fold, fold_name
+from language.source import fold, fold_name, quoted
 from language.suggestions import nearest
 from sim.geometry import Placement, Point, contains, overlapping, pose_of
 from sim.parts import Part, parts_of
@@ -140,7 +140,7 @@ def description_of(text: str, wording: Wording) -> tuple[Description, Mapping[in
         else:
             near = near_word(typed, wording)
             code = "drawing-second" if phrase in kinds else "drawing-word-near" if near else "drawing-word"
-            mistakes[each.start()] = wording(code, word=typed[:40], near=near)
+            mistakes[each.start()] = wording(code, word=quoted(typed), near=near)
     if as_ and not name[:1].isalpha():
         mistakes[as_.start()] = wording("built-bad-name")
     if not of_kinds and not mistakes:
@@ -218,7 +218,7 @@ class Building:
         code = "which" if found else "unknown-near" if near else "unknown"
         code = "which-wall" if found and found[0].kind == WALL else code
         places = [f"{name_in_words(it, words)}: {round(it.x)}, {round(it.y)}" for it in found]
-        values = {"name": typed[:40], "near": near, "names": "; ".join(places[:MOST_KNOWN])}
+        values = {"name": quoted(typed), "near": near, "names": "; ".join(places[:MOST_KNOWN])}
         raise Unusable(words(f"built-{code}", count=len(found), **values))
 
     def named(self, typed: str) -> list[Thing]:

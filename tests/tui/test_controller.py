@@ -161,7 +161,7 @@ def test_the_start_says_what_was_not_understood_and_offers_the_tour_once(
     said: list[Any] = []
     it.ctx.answer = lambda code, **values: said.append((code, values))
     assert it.begin() is None
-    assert said == [("keys-not-understood", {"entry": odd[:40]}), ("tour-offer", {})]
+    assert said == [("keys-not-understood", {"entry": odd[:39] + "…"}), ("tour-offer", {})]
     assert it.done[-1] == ("display update",)
     said.clear()
     it.begin()

@@ -289,7 +289,7 @@ def test_what_is_given_is_named(line: str, given: dict[str, object]) -> None:
         ("Run", "usage-near-command", "Run", "run"),
         ("replya --foo", "usage-near-command", "replya", "replay"),
         ("xn --foo", "usage-unrecognized", "--foo", ""),
-        (f"--{'x' * 50}", "usage-unrecognized", f"--{'x' * 38}", ""),
+        (f"--{'x' * 50}", "usage-unrecognized", f"--{'x' * 37}…", ""),
     ],
 )
 def test_a_wrong_line_is_reported_with_what_is_wrong(line: str, code: str, what: str, near: str) -> None:

@@ -210,4 +210,4 @@ def test_control_c_ends_it_with_a_sentence(
 def test_another_word_is_not_understood(calibration: Calibration) -> None:
     with pytest.raises(Unusable) as caught:
         calibration.run("", what="w" * 50)
-    assert caught.value.sentence.startswith(f"I do not understand {'w' * 40}.")
+    assert caught.value.sentence.startswith(f"I do not understand {'w' * 39}….")

@@ -442,7 +442,7 @@ def test_a_port_is_looked_for_where_the_settings_say_it_is(tmp_path: Path) -> No
     assert not [*look_at_chosen_ports(Settings(belt="/dev/of-no-machine"), lambda: (listed,))]
     assert not [*look_at_chosen_ports(Settings(robot="player://h:1"), lambda: ())]
     assert said(look_at_chosen_ports(Settings(belt="/dev/" + "y" * 50), lambda: (listed,)))[0] == (
-        f"Problem: nothing is plugged in at /dev/{'y' * 35}, where belt looks."
+        f"Problem: nothing is plugged in at /dev/{'y' * 34}…, where belt looks."
     )
 
 
@@ -463,7 +463,7 @@ def test_settings_are_named_as_they_are_written(tmp_path: Path, monkeypatch: pyt
         f"All files stay in {tmp_path}.",
         f"Settings file: {folder}/settings.toml",
         "speed is max, from the settings file.",
-        f"record is {'r' * 40}, from the settings file.",
+        f"record is {'r' * 39}…, from the settings file.",
         "linear is on, from the settings file.",
         "mouse is NO, from DONNIE_MOUSE.",
         "trail is off, from the settings file.",

@@ -136,7 +136,10 @@ def test_a_server_that_runs_has_the_robot_unless_another_one_is_chosen(
     ("arguments", "sentence"),
     [
         (("run", "a.gd", "--speed", "fast"), "The option --speed can't be fast. It takes 0.1-1000, max."),
-        (("run", "a.gd", "--lang", "x" * 41), f"The option --lang can't be {'x' * 40}. It takes en, pt, es."),
+        (
+            ("run", "a.gd", "--lang", "x" * 41),
+            f"The option --lang can't be {'x' * 39}…. It takes en, pt, es.",
+        ),
         (("--foo",), "I do not understand --foo. The option --help says more."),
         (("rn", "a.gd"), "I do not know the command rn. Did you mean run?"),
     ],

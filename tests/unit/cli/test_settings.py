@@ -491,7 +491,7 @@ def test_each_setting_has_its_names_and_says_what_it_can_be(
     assert (found.option, found.variable, found.wanted) == (option, variable, wanted)
     _, (in_file,) = resolve({}, {}, {key: "~" * 50})
     _, (in_variable,) = resolve({}, {variable: "~" * 50}, {})
-    values = {"value": "~" * 40, "wanted": wanted}
+    values = {"value": "~" * 39 + "…", "wanted": wanted}
     assert (in_file.code, in_file.values) == (f"setting-not-understood{code}", {"name": key, **values})
     assert (in_variable.code, in_variable.values) == (
         f"variable-not-understood{code}",
@@ -585,7 +585,7 @@ def test_a_line_of_the_file_has_its_effect_or_an_answer_that_says_what_it_can_be
 
 def test_an_unknown_name_of_the_file_is_cut_and_true_and_false_are_on_and_off() -> None:
     settings, notices = resolve({}, {}, {"x" * 50: 1, "mouse": False, "linear": True, "page": 5})
-    assert [each.values["name"] for each in notices] == ["x" * 40, "page"]
+    assert [each.values["name"] for each in notices] == ["x" * 39 + "…", "page"]
     assert (settings.mouse, settings.linear) == (False, True)
     settings, notices = resolve({}, {}, {"hold": True, "speech": True, "clock": False, "theme": True})
     assert (settings.hold, settings.speech, settings.clock) == ("on", "tts", "off")
@@ -612,7 +612,7 @@ def test_a_weaker_source_can_only_limit_a_session_more(tmp_path: Path) -> None:
         found = limits_of(*sources)  # type: ignore[arg-type]
         return found.folder, found.devices
 
-    long = {"name": "devices", "value": "x://" + "y" * 36, "wanted": PORT_WANTED}
+    long = {"name": "devices", "value": "x://" + "y" * 35 + "…", "wanted": PORT_WANTED}
     missing = str(tmp_path / "none")
     at_school, in_lesson = {"confined": str(school)}, {"confined": str(lesson)}
     assert limits({}, {}, {}, {}) == (None, None)

@@ -118,9 +118,9 @@ LONG_NAME = 50 * "z"
     ("typed", "answers"),
     [
         ("SET cue zzz", ["No sound zzz. CUES lists all."]),
-        (f"SET cue {LONG_NAME}", [f"No sound {40 * 'z'}. CUES lists all."]),
-        (f"CUES {LONG_NAME}", [f"No sound {40 * 'z'}. CUES lists all."]),
-        (f"SET {LONG_NAME}", [f"No setting is called {40 * 'z'}. SET lists them."]),
+        (f"SET cue {LONG_NAME}", [f"No sound {39 * 'z'}…. CUES lists all."]),
+        (f"CUES {LONG_NAME}", [f"No sound {39 * 'z'}…. CUES lists all."]),
+        (f"SET {LONG_NAME}", [f"No setting is called {39 * 'z'}…. SET lists them."]),
         ("SET cue bump loud", ["Set cue bump: 100.", "Choose a number, 0 to 100."]),
         ("SET cue bump 101", ["Set cue bump: 100."]),
         ("SET cue bump on", ["Set cue bump: 100."]),

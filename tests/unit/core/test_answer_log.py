@@ -162,5 +162,5 @@ def test_the_last_word_is_that_of_the_last_line(
 def test_what_was_not_said_is_quoted_up_to_forty_characters() -> None:
     found = found_in_words(log(("a word",)), "w" * 41, Words())
 
-    assert found == (f"I have not said {'w' * 40}.",)
+    assert found == (f"I have not said {'w' * 39}….",)
     assert found_in_words(log(("a word",), ("word",)), "WORD", Words())[1:] == ("a word", "word")

@@ -15,7 +15,6 @@ from donnie_tui.core.program_text import (
     not_found,
     outline_in_words,
     place_in_words,
-    quoted_word,
 )
 from donnie_tui.i18n.words import Words
 from language.checker import check
@@ -328,7 +327,8 @@ def test_a_missing_word_is_put_at_the_end_of_the_line_before() -> None:
     assert fixed(source, missing) == "REPEAT 2 TIMES\nFW 1\nEND REPEAT"
 
 
-@pytest.mark.parametrize(("length", "quoted"), [(40, 40), (41, 40)])
-def test_a_searched_word_is_quoted_up_to_forty_characters(length: int, quoted: int) -> None:
-    assert not_found("w" * length, Words()) == f"{'w' * quoted} is not in the program."
-    assert quoted_word("a\x07") == "a "
+@pytest.mark.parametrize(
+    ("word", "shown"), [("w" * 40, "w" * 40), ("w" * 41, f"{'w' * 39}…"), ("a\x07", "a "), (" ", " ")]
+)
+def test_a_searched_word_is_quoted_up_to_forty_characters(word: str, shown: str) -> None:
+    assert not_found(word, Words()) == f"{shown} is not in the program."

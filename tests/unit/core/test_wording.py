@@ -159,7 +159,7 @@ def test_a_robot_is_called_by_its_exact_name_first(typed: str, robot: str | None
 
 def test_that_there_is_no_such_robot_names_the_first_ones() -> None:
     names = ("alice", "bob", "carol")
-    assert no_such_robot("x" * 41, names[:1], 2, EN) == f"There is no robot {'x' * 40} here. There is alice."
+    assert no_such_robot("x" * 41, names[:1], 2, EN) == f"There is no robot {'x' * 39}… here. There is alice."
     assert no_such_robot("x", names, 3, EN) == "There is no robot x here. There are alice, bob and carol."
     assert (
         no_such_robot("x", names, 2, EN)

@@ -218,11 +218,11 @@ def test_ctrl_c_leaves_the_rest_out() -> None:
 
 
 def test_a_wrong_answer_at_a_page_is_repeated_as_far_as_it_fits() -> None:
-    it = pages("x" * 31, "q")
+    it = pages("x" * 41, "q")
     said, question = it.shown[1]
 
-    assert "x" * 30 in said[0]
-    assert "x" * 31 not in said[0]
+    assert f"{'x' * 39}…" in said[0]
+    assert "x" * 40 not in said[0]
     assert question == it.shown[0][1]
 
 

@@ -207,8 +207,8 @@ REST = ["I turned 90 degrees to the right.", "3"]
             *(RunState.PAUSED, []),
         ),
         (
-            *("x" * 31, How.ENTER),
-            [f"I can't do this now: {'x' * 30}", "Enter continues. RUN runs the rest. STOP ends."],
+            *("x" * 41, How.ENTER),
+            [f"I can't do this now: {'x' * 39}…", "Enter continues. RUN runs the rest. STOP ends."],
             *(RunState.PAUSED, []),
         ),
         ("STEPP", How.ENTER, ["I do not know STEPP. Did you mean STEP?"], RunState.PAUSED, []),
