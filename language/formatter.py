@@ -34,12 +34,10 @@ from language.lexer import (
     lex,
 )
 from language.locales import languages
-from language.outline import ENDS, OPENERS
+from language.outline import ENDS, INDENT, OPENERS
 from language.parser import parse
 from language.source import COMMENT_MARK, fold_name, line_breaks, with_newlines
 from language.syntax import walk
-
-INDENT = "  "
 
 _ELSE, _DO, _SEMICOLON, _SIGN = (KIND[name] for name in ("ELSE", "DO", "SEMICOLON", "SIGN"))
 _FOR, _LPAR, _LSQB = (KIND[name] for name in ("FOR", "LPAR", "LSQB"))

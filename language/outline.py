@@ -96,6 +96,8 @@ def _item(
     return OutlineItem(block.kind, typed, opener[3], end_line, depth, is_closed)
 
 
+INDENT = "  "
+"""The indentation of a block, for each level."""
 OPENERS = {KIND[name]: name for name in ("IF", "FOR", "REPEAT", "WHILE", "PROCEDURE")}
 ENDS = {KIND[f"END_{name}"]: name for name in OPENERS.values()}
 SENSOR_WORDS = frozenset(KIND[name] for name in SENSORS)

@@ -18,7 +18,7 @@ from donnie_tui.core.program_text import LONGEST_CHECKED, ProgramText
 from language import keywords
 from language.keywords import TERMINAL_OF_WORD, WORDS, folded_word
 from language.lexer import FRAGMENT, HELP, KIND, NAME, NUMBER, TAKES, Token, lex
-from language.outline import ENDS, open_block, outline
+from language.outline import ENDS, INDENT, open_block, outline
 from language.parser import kinds_after
 from language.source import fold_name
 
@@ -227,8 +227,6 @@ def _as_typed(word: str, typed: str) -> str:
 
 
 # --- the next line
-
-INDENT = "  "
 
 
 class NextLine(msgspec.Struct, frozen=True):

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from itertools import combinations
-from math import atan2, ceil, degrees, hypot
+from math import ceil, hypot
 from typing import TYPE_CHECKING, TypeVar
 from unicodedata import normalize
 
@@ -21,6 +21,7 @@ from devices.ports.robot import Grip, Pose, StoppedBy
 from donnie_tui.core import events
 from donnie_tui.core.events import Event, Moved, RunEnded, RunStarted, Stamped, Turned, begins_anew, pose_of
 from donnie_tui.core.program_files import read_to_the_end
+from donnie_tui.core.wording import bearing
 from language.keywords import canonical, topic
 from language.lexer import lex
 from language.source import fold_name
@@ -455,11 +456,6 @@ def way_out(x: float, y: float, area: Area) -> tuple[float, float]:
     west, south, east, north = challenges.sides_of(area)
     nearest = min(max(x, west), east), min(max(y, south), north)
     return hypot(x - nearest[0], y - nearest[1]), bearing(*nearest, x, y)
-
-
-def bearing(x: float, y: float, to_x: float, to_y: float) -> float:
-    """Compass degrees from one place to another."""
-    return degrees(atan2(to_x - x, to_y - y)) % 360.0
 
 
 # --- numbers and texts

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from enum import Enum
 from itertools import islice, pairwise
-from math import atan2, degrees, floor, hypot, remainder
+from math import floor, hypot, remainder
 from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec import Struct
@@ -18,7 +18,7 @@ from msgspec.structs import replace
 
 from devices.ports.robot import Pose
 from donnie_tui.core.timeline import SAME_PLACE, DrivenPath, Trail, apart
-from donnie_tui.core.wording import COMPASS, Wording, facing, position_in_words, whole_steps
+from donnie_tui.core.wording import COMPASS, Wording, bearing, facing, position_in_words, whole_steps
 
 if TYPE_CHECKING:
     from sim.picture import Picture, Thing
@@ -325,23 +325,19 @@ def path_in_words(path: DrivenPath, wording: Wording, most: int | None = None) -
 
 
 def _is_straight_on(start: Pose, here: Pose, there: Pose) -> bool:
-    return abs(remainder(_bearing(start, here) - _bearing(here, there), 360)) < 1
+    turned = bearing(start.x, start.y, here.x, here.y) - bearing(here.x, here.y, there.x, there.y)
+    return abs(remainder(turned, 360)) < 1
 
 
 def _leg(here: Pose, there: Pose, wording: Wording) -> str:
-    bearing = round(_bearing(here, there)) % 360
-    point = f"compass-{COMPASS[bearing // 45]}"
-    towards = facing(replace(here, heading=bearing), wording) if bearing % 45 else wording(point)
+    heading = round(bearing(here.x, here.y, there.x, there.y)) % 360
+    point = f"compass-{COMPASS[heading // 45]}"
+    towards = facing(replace(here, heading=heading), wording) if heading % 45 else wording(point)
     return wording("path-leg", steps=round(apart(here, there)), towards=towards, **_whole(there))
 
 
 def _whole(pose: Pose) -> dict[str, int]:
     return {"x": whole_steps(pose.x), "y": whole_steps(pose.y)}
-
-
-def _bearing(here: Pose, there: Pose) -> float:
-    """Compass degrees."""
-    return degrees(atan2(there.x - here.x, there.y - here.y)) % 360
 
 
 def place_in_words(pose: Pose, trail: Trail, wording: Wording, *, is_full: bool) -> tuple[str, ...]:

@@ -14,6 +14,7 @@ for a thing comes before its kind: "treasure, box, yellow".
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
@@ -85,6 +86,11 @@ SIDES = ("front", "front-right", "right", "back-right", "back", "back-left", "le
 def compass_point(degrees: float, wording: Wording) -> str:
     """The nearest of the eight points of the compass."""
     return wording(f"compass-{COMPASS[round(degrees / 45) % 8]}")
+
+
+def bearing(x: float, y: float, to_x: float, to_y: float) -> float:
+    """Compass degrees from one place to another."""
+    return math.degrees(math.atan2(to_x - x, to_y - y)) % 360.0
 
 
 def facing(pose: Pose, wording: Wording) -> str:

@@ -43,9 +43,8 @@ from donnie_tui.core.events import (
 )
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.core.wording import Wording
+from donnie_tui.tui.widgets.rows import MOST_LINES
 
-MOST_LINES = 100_000
-"""Lines that may wait for the screen: as many as the log keeps, so that it misses none."""
 MOST_POSES = 5_000
 MOST_MEASURED = 100
 """Readings that are kept between two batches."""

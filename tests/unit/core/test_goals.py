@@ -29,7 +29,6 @@ from donnie_tui.core.goals import (
     Inventory,
     Judgment,
     Shortfall,
-    bearing,
     folded,
     gap_to,
     goals_of_end,
@@ -40,6 +39,7 @@ from donnie_tui.core.goals import (
     unknown_names,
     way_out,
 )
+from donnie_tui.core.wording import bearing
 from donnie_tui.i18n.words import Words
 from sim.picture import Thing
 from worlds.challenges import (
