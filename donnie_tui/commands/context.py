@@ -16,7 +16,6 @@ from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.interaction import Interaction, Screen
 from donnie_tui.commands.lookup import word_of
 from donnie_tui.commands.preferences import Preferences
-from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.events import (
     TRANSIENT,
     Answered,
@@ -35,6 +34,7 @@ from donnie_tui.core.events import (
 from donnie_tui.core.program_files import Attempted
 from donnie_tui.core.run_controller import RunController
 from donnie_tui.core.run_state import RunErrors
+from donnie_tui.core.session_log import AnswerLog
 from donnie_tui.core.timeline import Trail
 from donnie_tui.core.transcript import lines_with_robot_name, with_robot_name
 from donnie_tui.core.wording import shown_name
@@ -44,9 +44,9 @@ from donnie_tui.world.loading import CHALLENGE, solution_of
 if TYPE_CHECKING:
     from donnie_tui.core.document import Document
     from donnie_tui.core.goals import Judgment
-    from donnie_tui.core.line_history import LineHistory
     from donnie_tui.core.map_grid import MapGrid
     from donnie_tui.core.questions import Asked
+    from donnie_tui.core.session_log import LineHistory
     from donnie_tui.core.workspace import Workspace
     from worlds.challenges import Unsensed
 

@@ -13,7 +13,6 @@ from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import NotUnderstood, Option, read_count, read_numbers
 from donnie_tui.commands.lookup import find
 from donnie_tui.commands.program import say_line
-from donnie_tui.core.answer_log import found_in_words, none_so_far, spelled
 from donnie_tui.core.events import Error
 from donnie_tui.core.program_text import (
     ProgramText,
@@ -22,6 +21,7 @@ from donnie_tui.core.program_text import (
     place_in_words,
 )
 from donnie_tui.core.run_state import line_of
+from donnie_tui.core.session_log import found_in_words, letter_by_letter, none_so_far
 from donnie_tui.core.transcript import lines_of
 
 MOST_SHOWN = 10
@@ -230,7 +230,7 @@ async def last_word(ctx: Context, _: str) -> None:
 
 
 def _spell(ctx: Context, text: str) -> None:
-    ctx.say(*spelled(text, ctx.words), is_repeated=bool(text))
+    ctx.say(*letter_by_letter(text, ctx.words), is_repeated=bool(text))
 
 
 @handles("find")

@@ -18,9 +18,10 @@ answers, so that the voice speaks what is printed.
 
 from __future__ import annotations
 
+import re
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol, TextIO
 
 from msgspec import Struct, field
 
@@ -31,6 +32,7 @@ from donnie_tui.core.events import (
     Answered,
     Error,
     Event,
+    LineFile,
     Moved,
     Pointed,
     RunEnded,
@@ -42,6 +44,9 @@ from donnie_tui.core.events import (
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.wording import BRAILLE_CELLS, Wording, compass_heading, position_in_words, whole_steps
 from language.source import printable
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 
 class PastMovement(Struct, frozen=True):
@@ -383,3 +388,28 @@ def _keep(robot: _Robot, lines: tuple[str, ...]) -> None:
         omitted.steps += movement.walked
     else:
         omitted.turns += 1
+
+
+class TranscriptLog:
+    """Writes every printed line of the stream to a file.
+
+    A full disk ends the log and nothing else; ``on_failure`` is called once.
+    """
+
+    def __init__(
+        self, out: TextIO, wording: Wording, on_failure: Callable[[OSError], None] | None = None
+    ) -> None:
+        self._file = LineFile(out, on_failure)
+        self._wording = wording
+
+    def __call__(self, stamped: Stamped) -> None:
+        lines = printed_lines(stamped, self._wording)
+        if lines and self._file.takes_more:
+            self._file.write("".join(f"{line}\n" for line in lines))
+
+
+def next_log(folder: Path) -> Path:
+    """The first free name after all used ones: ``log_001.txt``, ``log_002.txt``."""
+    numbers = [re.fullmatch(r"log_(\d{1,9})\.txt", each.name) for each in folder.iterdir()]
+    highest = max((int(each[1]) for each in numbers if each), default=0)
+    return folder / f"log_{highest + 1:03}.txt"

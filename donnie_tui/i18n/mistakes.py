@@ -16,8 +16,8 @@ from itertools import takewhile
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
-from donnie_tui.core.answer_log import CODE_OF_SIGN
 from donnie_tui.core.events import Error
+from donnie_tui.core.session_log import CODE_OF_SIGN
 from donnie_tui.core.wording import Wording
 from donnie_tui.i18n import help as helping
 from language import keywords

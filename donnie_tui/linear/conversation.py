@@ -18,9 +18,8 @@ from donnie_tui.commands.context import FAILED, Context
 from donnie_tui.commands.dispatch import attempt
 from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN, EnterWorld, Option, SwitchMode, drive
 from donnie_tui.commands.preferences import Preferences
-from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.events import Answered
-from donnie_tui.core.line_history import LineHistory
+from donnie_tui.core.session_log import AnswerLog, LineHistory
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.linear.console import Console, Gone, run_in_background
 from donnie_tui.linear.greeting import Greeting, has_rescued

@@ -29,8 +29,8 @@ from donnie_tui.commands.context import Context
 from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.dispatch import perform
 from donnie_tui.commands.interaction import drive
-from donnie_tui.core.answer_log import LONGEST_ANSWER
 from donnie_tui.core.events import TRANSIENT, Announced, Answered, Error, Stamped
+from donnie_tui.core.session_log import LONGEST_ANSWER
 from donnie_tui.core.transcript import SummaryFilter, printed_lines
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.greeting import PROMPT

@@ -9,7 +9,7 @@ from msgspec import Struct
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.interaction import answered
 from donnie_tui.commands.lookup import find
-from donnie_tui.core.answer_log import AnswerLog
+from donnie_tui.core.session_log import AnswerLog
 from donnie_tui.core.wording import meant
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.console import Console

@@ -16,8 +16,8 @@ from msgspec import Struct
 
 from donnie_tui.commands.declarations import COMMANDS
 from donnie_tui.commands.lookup import find, words_of
-from donnie_tui.core.line_history import LineHistory, Recall
 from donnie_tui.core.program_files import file_names
+from donnie_tui.core.session_log import LineHistory, Recall
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.line_editor import ESCAPE_DELAY, Act, EditLine, KeyDecoder, KeyPress
 from language import keywords

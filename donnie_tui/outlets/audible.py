@@ -22,9 +22,9 @@ from devices.audio.channel import (
     ssip_address,
 )
 from devices.ports.audio import CuePlayer, Speaker, Urgency, Utterance
-from donnie_tui.core.answer_log import spelled
 from donnie_tui.core.events import Answered, SoundSwitched, Stamped
 from donnie_tui.core.hub import HasHub
+from donnie_tui.core.session_log import letter_by_letter
 from donnie_tui.core.transcript import TranscriptFilter, UnfilteredTranscript
 from donnie_tui.core.voice import Cues, Voice, VoiceScope
 from donnie_tui.core.wording import Wording, name_of_language
@@ -369,7 +369,7 @@ class TypingEcho:
 
     def _say(self, text: str) -> None:
         if len(text) == 1:
-            self._audible.echo(" ".join(spelled(text, self._words)))
+            self._audible.echo(" ".join(letter_by_letter(text, self._words)))
         elif text.strip():
             self._audible.echo(text[:LONGEST_PASTED])
 

@@ -153,7 +153,7 @@ class SessionFiles:
 
         from pathlib import Path
 
-        from donnie_tui.core.answer_log import TranscriptLog, next_log
+        from donnie_tui.core.transcript import TranscriptLog, next_log
 
         try:
             make_folder("Log")

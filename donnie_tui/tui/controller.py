@@ -27,14 +27,13 @@ from donnie_tui.commands.keys import KeyTable, not_understood
 from donnie_tui.commands.lookup import find
 from donnie_tui.commands.sound import chime_block
 from donnie_tui.commands.world import arrive
-from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.completion import Completion, NextLine, completion, next_line
 from donnie_tui.core.events import Pointed
-from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.program_text import LONGEST_CHECKED, mistakes
 from donnie_tui.core.run_state import RunState
 from donnie_tui.core.runner import LAST_WORDS, Run, RunRequest
 from donnie_tui.core.session import Busy
+from donnie_tui.core.session_log import AnswerLog, LineHistory
 from donnie_tui.core.wording import Wording
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.outlets.audible import Audible, TypingEcho

@@ -18,10 +18,10 @@ from donnie_tui.commands.interaction import MapPane, Option, answered
 from donnie_tui.commands.keys import KeyTable
 from donnie_tui.commands.lookup import word_of
 from donnie_tui.commands.preferences import Preferences
-from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.map_scene import Line
 from donnie_tui.core.map_words import Pointer
 from donnie_tui.core.runner import RunRequest
+from donnie_tui.core.session_log import AnswerLog
 from donnie_tui.core.wording import spelled
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.i18n.help import SCREEN_TOUR_PAGES, manual

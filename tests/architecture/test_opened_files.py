@@ -19,7 +19,7 @@ ALLOWED = {
     "donnie_tui/process/disconnection.py": "what the kernel says of processes and connections",
     "donnie_tui/core/recovery.py": "what the kernel says of a process",
     "donnie_tui/core/program_files.py": "a descriptor of the one that opens them",
-    "donnie_tui/core/line_history.py": "a descriptor of the one that opens them",
+    "donnie_tui/core/session_log.py": "a descriptor of the one that opens them",
     "donnie_tui/settings/folders.py": "by the one that opens them, in a confined session",
     "donnie_tui/tui/environment.py": "a text for the pager, which no confined session has",
     "donnie_tui/world/recorded.py": "names that were checked, in a folder of its own",

@@ -15,12 +15,11 @@ from devices.ports.robot import Pose
 from donnie_tui.bootstrap import assemble
 from donnie_tui.commands.interaction import drive
 from donnie_tui.commands.keys import KeyTable
-from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.events import Pointed
-from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.program_text import LONGEST_CHECKED
 from donnie_tui.core.run_state import RunState
 from donnie_tui.core.runner import RunRequest
+from donnie_tui.core.session_log import AnswerLog, LineHistory
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui import controller as module
 from donnie_tui.tui.controller import EditorAssistant, ScreenController, ScreenKeyEcho, ScreenState

@@ -7,7 +7,7 @@ from textual.app import App, ComposeResult
 from textual.geometry import Offset
 from textual.message import Message
 
-from donnie_tui.core.line_history import LineHistory
+from donnie_tui.core.session_log import LineHistory
 from donnie_tui.tui.widgets.command_line import CommandLine, Pane
 from tests.tui.test_fixed_rows import click
 

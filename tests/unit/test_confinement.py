@@ -10,7 +10,6 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.program_files import (
     DocumentError,
     FilesInUse,
@@ -22,6 +21,7 @@ from donnie_tui.core.program_files import (
     write_program,
 )
 from donnie_tui.core.recovery import CopyFolder
+from donnie_tui.core.session_log import LineHistory
 from donnie_tui.linear.reader import candidates
 from donnie_tui.process import confinement
 from donnie_tui.process.confinement import (

@@ -22,7 +22,7 @@ from textual.strip import Strip
 from textual.widget import Widget
 from textual.widgets import Input, Static
 
-from donnie_tui.core.line_history import LineHistory, Recall
+from donnie_tui.core.session_log import LineHistory, Recall
 from language.source import cleaned
 
 

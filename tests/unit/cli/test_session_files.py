@@ -19,7 +19,7 @@ from devices.ports.audio import Cue
 from devices.ports.robot import Bearing, Pose
 from donnie_tui import __version__
 from donnie_tui.cli.streams import Guarded, Output, is_terminal
-from donnie_tui.core import answer_log
+from donnie_tui.core import transcript
 from donnie_tui.core.belt import BeltSettings
 from donnie_tui.core.chart import braille
 from donnie_tui.core.events import (
@@ -58,7 +58,7 @@ def test_a_full_log_is_reported_once_and_counts_as_lost(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(answer_log, "next_log", lambda folder: FULL)
+    monkeypatch.setattr(transcript, "next_log", lambda folder: FULL)
     hub, words, said = Hub(lambda: 0.0), Words(), list[str]()
     hub.subscribe(lambda stamped: said.extend(printed_lines(stamped, words)))
     with ExitStack() as closing:

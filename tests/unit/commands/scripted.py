@@ -14,11 +14,10 @@ from donnie_tui.commands.dispatch import perform, says_slip
 from donnie_tui.commands.interaction import EnterWorld, Option, SwitchMode, drive
 from donnie_tui.commands.lookup import find
 from donnie_tui.commands.preferences import Preferences
-from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.events import Stamped
-from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.run_state import RunObserver, RunState
 from donnie_tui.core.runner import RunRequest
+from donnie_tui.core.session_log import AnswerLog, LineHistory
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.settings.folders import state_path
 from tests.timeouts import TIMEOUT

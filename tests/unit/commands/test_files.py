@@ -17,9 +17,8 @@ from donnie_tui.commands.context import Context
 from donnie_tui.commands.files import compare_with_file
 from donnie_tui.commands.interaction import EnterWorld, drive
 from donnie_tui.commands.lookup import words_of
-from donnie_tui.core.answer_log import AnswerLog
-from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.program_files import DocumentError
+from donnie_tui.core.session_log import AnswerLog, LineHistory
 from tests.unit.commands.scripted import Script
 from worlds import EXAMPLES
 

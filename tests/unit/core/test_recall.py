@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.core.line_history import KEPT, LARGEST_FILE, LineHistory, Recall
+from donnie_tui.core.session_log import KEPT_LINES, LARGEST_FILE, LineHistory, Recall
 
 
 def test_typed_lines_are_in_the_history_of_the_next_session(tmp_path: Path) -> None:
@@ -41,14 +41,14 @@ def test_a_folder_in_the_place_of_the_file_is_no_obstacle(tmp_path: Path) -> Non
 
 def test_the_file_does_not_grow_without_end(tmp_path: Path) -> None:
     file = tmp_path / "history"
-    file.write_text("".join(f"FW {number}\n" for number in range(3 * KEPT)))
+    file.write_text("".join(f"FW {number}\n" for number in range(3 * KEPT_LINES)))
     past = LineHistory(str(file))
     past.trim()
 
     assert (
         file.read_text().splitlines()
         == past.lines
-        == [f"FW {number}" for number in range(2 * KEPT, 3 * KEPT)]
+        == [f"FW {number}" for number in range(2 * KEPT_LINES, 3 * KEPT_LINES)]
     )
 
 
@@ -56,10 +56,10 @@ def test_a_shortened_file_is_still_readable_only_by_the_learner(tmp_path: Path) 
     file = tmp_path / "history"
     LineHistory(str(file)).remember("FW 1")
     with file.open("a") as out:
-        out.writelines(f"FW {number}\n" for number in range(3 * KEPT))
+        out.writelines(f"FW {number}\n" for number in range(3 * KEPT_LINES))
     LineHistory(str(file)).trim()
 
-    assert len(file.read_text().splitlines()) == KEPT
+    assert len(file.read_text().splitlines()) == KEPT_LINES
     assert file.stat().st_mode & 0o077 == 0
 
 
@@ -106,15 +106,18 @@ def test_a_thousand_lines_are_remembered() -> None:
 
 def test_the_file_is_shortened_only_when_it_has_more_than_twice_as_many_lines(tmp_path: Path) -> None:
     file = tmp_path / "history"
-    file.write_text("".join(f"FW {number}\n" for number in range(2 * KEPT)))
+    file.write_text("".join(f"FW {number}\n" for number in range(2 * KEPT_LINES)))
     (tmp_path / "history.new").write_text("of a trim that was cut off\n")
     LineHistory(str(file)).trim()
-    assert len(file.read_text().splitlines()) == 2 * KEPT
+    assert len(file.read_text().splitlines()) == 2 * KEPT_LINES
 
     with file.open("a") as out:
         out.write("FW 0\n")
     LineHistory(str(file)).trim()
-    assert file.read_text().splitlines() == [*(f"FW {each}" for each in range(KEPT + 1, 2 * KEPT)), "FW 0"]
+    assert file.read_text().splitlines() == [
+        *(f"FW {each}" for each in range(KEPT_LINES + 1, 2 * KEPT_LINES)),
+        "FW 0",
+    ]
 
 
 def test_the_same_line_again_is_not_repeated_in_the_file(tmp_path: Path) -> None:

@@ -10,7 +10,6 @@ import pytest
 
 from devices.ports.audio import Cue, Urgency, Utterance
 from devices.ports.robot import Pose, StoppedBy
-from donnie_tui.core.answer_log import TranscriptLog, next_log
 from donnie_tui.core.events import (
     Announced,
     Answered,
@@ -29,8 +28,10 @@ from donnie_tui.core.transcript import (
     MOST_MOVEMENTS,
     History,
     SentencePublisher,
+    TranscriptLog,
     lines_of,
     lines_with_robot_name,
+    next_log,
     printed_lines,
     with_robot_name,
 )

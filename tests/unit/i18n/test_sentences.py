@@ -12,7 +12,7 @@ import pytest
 import donnie_tui
 from devices.ports.audio import NoticeCode
 from donnie_tui import DETAILS
-from donnie_tui.core.answer_log import CODE_OF_SIGN
+from donnie_tui.core.session_log import CODE_OF_SIGN
 from donnie_tui.i18n.words import Sentence, Words, filled, find
 from language.diagnostics import MistakeKind
 from language.locales import languages

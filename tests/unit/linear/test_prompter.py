@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from donnie_tui.core.answer_log import AnswerLog
+from donnie_tui.core.session_log import AnswerLog
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.output import OutputQueue
 from donnie_tui.linear.prompter import Printer, Prompter, Streams, prompt_text

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from donnie_tui.core.line_history import LineHistory
+from donnie_tui.core.session_log import LineHistory
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.line_editor import LONGEST, Act, EditLine, KeyDecoder
 from donnie_tui.linear.reader import LONGEST_PLAIN, EditingReader, How, PlainReader, Typed, candidates

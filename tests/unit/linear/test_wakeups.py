@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from donnie_tui.core.events import Outcome
-from donnie_tui.core.line_history import LineHistory
+from donnie_tui.core.session_log import LineHistory
 from donnie_tui.linear.output import OutputQueue
 from donnie_tui.linear.reader import EditingReader, How, PlainReader
 from donnie_tui.linear.typed_lines import RunLoop

@@ -1,26 +1,28 @@
-"""The latest answers, so that a learner can repeat, spell, search and save them.
+"""What was said and what was typed: answers to repeat, spell, search and save; lines to recall.
 
 An answer is all that was printed between two prompts. The number of answers is bounded; of a very long answer
-the last lines are kept. ``TranscriptLog`` writes every printed line into a file.
+the last lines are kept.
+
+Typed lines are kept over sessions, in a file that is optional. A problem with it is not reported and affects
+nothing else.
 """
 
 from __future__ import annotations
 
-import re
+import contextlib
+import os
 from collections import deque
-from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, TextIO
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 from unicodedata import normalize
 
-from donnie_tui.core.events import LineFile, Stamped
-from donnie_tui.core.transcript import printed_lines
-from donnie_tui.core.wording import Wording
+from donnie_tui.process.confinement import make_folder, open_bytes, open_descriptor
 from language.source import fold_name, quoted
 
 if TYPE_CHECKING:
-    from pathlib import Path
+    from donnie_tui.core.wording import Wording
 
-KEPT = 1000
+KEPT_ANSWERS = 1000
 """Answers that are remembered."""
 LONGEST_ANSWER = 200
 """Lines of one answer that are remembered, its last ones."""
@@ -28,15 +30,24 @@ MOST_FOUND = 20
 """Lines that FIND prints, the newest ones."""
 LONGEST_SPELLED = 200
 """Characters that are spelled, at most."""
-LONGEST_LINE = 38
+LONGEST_SPELLING = 38
 """Characters of a line of spelling."""
+KEPT_LINES = 1000
+"""Typed lines that are remembered."""
+LARGEST_FILE = 4 * 1024 * 1024
+"""Bytes; a larger file of typed lines was not written by Donnie."""
+LONGEST_LINE = 2000
+"""Characters of a typed line that is remembered."""
+
+
+# --- what was said
 
 
 class AnswerLog:
     """The answers so far, oldest first."""
 
     def __init__(self) -> None:
-        self._answers: deque[deque[str]] = deque(maxlen=KEPT)
+        self._answers: deque[deque[str]] = deque(maxlen=KEPT_ANSWERS)
         self._goes_on = False
 
     def add(self, lines: Sequence[str]) -> None:
@@ -104,7 +115,7 @@ def found_in_words(log: AnswerLog, typed: str, wording: Wording) -> tuple[str, .
     return (wording("find-count", count=len(found)), *found)
 
 
-def spelled(text: str, wording: Wording) -> tuple[str, ...]:
+def letter_by_letter(text: str, wording: Wording) -> tuple[str, ...]:
     """Spells a text in lines of bounded length, with names for signs and blanks.
 
     Of a long text only the beginning is spelled; for an empty one, a sentence says that nothing was said.
@@ -115,7 +126,7 @@ def spelled(text: str, wording: Wording) -> tuple[str, ...]:
     lines = [""]
     for name in names:
         longer = f"{lines[-1]}, {name}" if lines[-1] else name
-        if lines[-1] and len(longer) > LONGEST_LINE:
+        if lines[-1] and len(longer) > LONGEST_SPELLING:
             lines.append(name)
         else:
             lines[-1] = longer
@@ -128,31 +139,6 @@ def _name(character: str, wording: Wording) -> str:
     if character in _SPELLING_OF_SIGN:
         return wording(_SPELLING_OF_SIGN[character])
     return wording("spell-capital", letter=character) if character.isupper() else character
-
-
-class TranscriptLog:
-    """Writes every printed line of the stream to a file.
-
-    A full disk ends the log and nothing else; ``on_failure`` is called once.
-    """
-
-    def __init__(
-        self, out: TextIO, wording: Wording, on_failure: Callable[[OSError], None] | None = None
-    ) -> None:
-        self._file = LineFile(out, on_failure)
-        self._wording = wording
-
-    def __call__(self, stamped: Stamped) -> None:
-        lines = printed_lines(stamped, self._wording)
-        if lines and self._file.takes_more:
-            self._file.write("".join(f"{line}\n" for line in lines))
-
-
-def next_log(folder: Path) -> Path:
-    """The first free name after all used ones: ``log_001.txt``, ``log_002.txt``."""
-    numbers = [re.fullmatch(r"log_(\d{1,9})\.txt", each.name) for each in folder.iterdir()]
-    highest = max((int(each[1]) for each in numbers if each), default=0)
-    return folder / f"log_{highest + 1:03}.txt"
 
 
 CODE_OF_SIGN = {
@@ -203,3 +189,79 @@ _SPELLING_OF_SIGN = {
     sign: code.replace("sign-", "spell-") for sign, code in CODE_OF_SIGN.items() if len(sign) == 1
 }
 """The codes of their names where letters are spelled."""
+
+
+# --- what was typed
+
+
+class LineHistory:
+    """Typed lines, oldest first."""
+
+    def __init__(self, file: str | None = None) -> None:
+        self._file = file
+        self.lines: list[str] = _read(file)[-KEPT_LINES:] if file else []
+
+    def remember(self, line: str) -> None:
+        """Adds a line, unless it is empty or the same as the last."""
+        line = line.strip()
+        if not line or len(line) > LONGEST_LINE or self.lines[-1:] == [line]:
+            return
+        self.lines.append(line)
+        del self.lines[:-KEPT_LINES]
+        if self._file:
+            with contextlib.suppress(OSError, ValueError):
+                _add(self._file, [line])
+
+    def trim(self) -> None:
+        """Shortens the file to the remembered lines, when it has grown to twice as many."""
+        file = self._file
+        if file and len(_read(file)) > 2 * KEPT_LINES:
+            with contextlib.suppress(OSError):
+                from pathlib import Path  # slow to load, needed only when the file is too long
+
+                shorter = Path(f"{file}.new")
+                shorter.unlink(missing_ok=True)
+                _add(str(shorter), self.lines)
+                shorter.replace(file)
+
+
+class Recall:
+    """Recalls line by line, from the line that is being typed."""
+
+    def __init__(self, past: LineHistory, draft: str = "") -> None:
+        self._lines = [*past.lines, draft]
+        self._at = len(past.lines)
+
+    def older(self, typed: str) -> str | None:
+        """The line before, or None at the oldest. ``typed`` is kept for the way back."""
+        return self._go(-1, typed)
+
+    def newer(self, typed: str) -> str | None:
+        return self._go(1, typed)
+
+    def _go(self, step: int, typed: str) -> str | None:
+        if not 0 <= self._at + step < len(self._lines):
+            return None
+        self._lines[self._at] = typed
+        self._at += step
+        return self._lines[self._at]
+
+
+def _read(file: str) -> list[str]:
+    """The lines of the file, none if it can't be read or holds something else."""
+    try:
+        with open_bytes(file) as kept:
+            data = kept.read(LARGEST_FILE + 1)
+        text = data.decode() if len(data) <= LARGEST_FILE else ""
+    except (OSError, ValueError):
+        return []
+    lines = (line.strip() for line in text.split("\n"))
+    return [line for line in lines if line and line.isprintable() and len(line) <= LONGEST_LINE]
+
+
+def _add(file: str, lines: list[str]) -> None:
+    """Appends lines to a file that only the learner's account may read, as programs may be private."""
+    make_folder(os.path.split(file)[0])
+    handle = open_descriptor(file, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o600)
+    with os.fdopen(handle, "w", encoding="utf-8") as out:
+        out.writelines(f"{line}\n" for line in lines)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from donnie_tui.core.answer_log import AnswerLog, found_in_words, none_so_far, spelled
+from donnie_tui.core.session_log import AnswerLog, found_in_words, letter_by_letter, none_so_far
 from donnie_tui.i18n.words import Words
 
 
@@ -101,7 +101,7 @@ def test_the_whole_log_as_text_has_one_line_per_entry() -> None:
     ],
 )
 def test_spelling_names_capitals_blanks_and_signs(language: str, text: str, said: str) -> None:
-    assert spelled(text, Words(language)) == (said,)
+    assert letter_by_letter(text, Words(language)) == (said,)
 
 
 SIGNS = {
@@ -119,11 +119,11 @@ SIGNS = {
 
 @pytest.mark.parametrize("sign", SIGNS)
 def test_each_sign_is_spelled_by_its_name(sign: str) -> None:
-    assert spelled(sign, Words()) == (f"{SIGNS[sign]}.",)
+    assert letter_by_letter(sign, Words()) == (f"{SIGNS[sign]}.",)
 
 
 def test_a_long_word_is_spelled_in_lines_for_a_braille_display() -> None:
-    lines = spelled("abcdefghij" * 5, Words())
+    lines = letter_by_letter("abcdefghij" * 5, Words())
 
     assert max(map(len, lines)) <= 40
     assert "".join(each for line in lines for each in line if each.isalpha()) == "abcdefghij" * 5
@@ -132,16 +132,16 @@ def test_a_long_word_is_spelled_in_lines_for_a_braille_display() -> None:
 @pytest.mark.parametrize(("text", "lines"), [("/abcdefghijk", 1), ("#abcdefghij", 2), ("abcdefghijklm", 1)])
 def test_a_line_of_spelling_has_38_characters_at_most(text: str, lines: int) -> None:
     """And a full stop: "slash" and eleven letters are 38 with commas and blanks, "hash sign" and ten 39."""
-    assert len(spelled(text, Words())) == lines
+    assert len(letter_by_letter(text, Words())) == lines
 
 
 def test_of_a_long_text_the_first_two_hundred_characters_are_spelled() -> None:
-    assert sum(line.count("a") for line in spelled("a" * 201, Words())) == 200
-    assert spelled("a\u0301", Words("pt")) == ("\u00e1.",)
+    assert sum(line.count("a") for line in letter_by_letter("a" * 201, Words())) == 200
+    assert letter_by_letter("a\u0301", Words("pt")) == ("\u00e1.",)
 
 
 def test_nothing_has_no_letters() -> None:
-    assert spelled("", Words()) == ("Nothing has been said yet.",)
+    assert letter_by_letter("", Words()) == ("Nothing has been said yet.",)
 
 
 @pytest.mark.parametrize(
