@@ -9,6 +9,19 @@ from donnie_tui.tui.screens import main_screen
 from donnie_tui.tui.terminal import TerminalApp
 
 
+def pictures_of(screen, monkeypatch):
+    """What the screen shows from now on, each time that it is written."""
+    pictures, display = [], App._display
+
+    def write(app, above, renderable):
+        if renderable is not None and not app._batch_count:  # as Textual asks before it writes
+            pictures.append(screen.text)
+        display(app, above, renderable)
+
+    monkeypatch.setattr(App, "_display", write)
+    return pictures
+
+
 async def test_the_plain_layout_is_one_column_with_the_command_line_first(open_screen):
     async with open_screen("FW 1", plain=True) as screen:
         assert screen.app.focused is screen.main.command_line
@@ -64,15 +77,7 @@ async def test_what_a_plain_command_opens_is_painted_at_once(open_screen, monkey
     """It was left out while the command was held back, and the terminal showed the old screen."""
     monkeypatch.setattr(main_screen, "LONGEST_HELD", 600.0)
     async with open_screen("", plain=True, world="living_room") as screen:
-        painted = []
-        display = App._display
-
-        def paint(app, above, renderable):
-            if renderable is not None and not app._batch_count:  # as Textual asks before it writes
-                painted.append(screen.text)
-            display(app, above, renderable)
-
-        monkeypatch.setattr(App, "_display", paint)
+        painted = pictures_of(screen, monkeypatch)
         await screen.press(*typed, "enter")
         await screen.until(lambda: seen in "".join(painted[-1:]), seen)
 
@@ -85,19 +90,15 @@ async def test_a_command_that_takes_longer_goes_before_its_answer(open_screen):
         await screen.until(lambda: "> x" in screen.text, "what is typed")
 
 
-async def test_the_plain_log_shows_every_row(open_screen):
+async def test_the_plain_log_shows_every_row(open_screen, monkeypatch):
     async with open_screen("", plain=True) as screen:
-        seen = set()
-
-        def is_all_seen():
-            seen.update(line.strip(" .") for line in screen.text.splitlines())
-            return "20" in seen
-
+        painted = pictures_of(screen, monkeypatch)
         await screen.type_line(
             "REPEAT 1 TIMES FOR VAR i = 1; i <= 20; i = i + 1 DO SPEAK i END FOR END REPEAT"
         )
-        await screen.until(is_all_seen, "the last number")
+        await screen.until(lambda: "20." in "".join(painted[-1:]), "the last number")
 
+        seen = {line.strip(" .") for picture in painted for line in picture.splitlines()}
         assert {str(number) for number in range(1, 21)} <= seen
 
 
