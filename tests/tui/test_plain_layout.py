@@ -7,6 +7,7 @@ from donnie_tui.core.run_state import RunState
 from donnie_tui.core.session import Session
 from donnie_tui.tui.screens import main_screen
 from donnie_tui.tui.terminal import TerminalApp
+from donnie_tui.tui.widgets import log_rows
 
 
 def pictures_of(screen, monkeypatch):
@@ -90,7 +91,11 @@ async def test_a_command_that_takes_longer_goes_before_its_answer(open_screen):
         await screen.until(lambda: "> x" in screen.text, "what is typed")
 
 
-async def test_the_plain_log_shows_every_row(open_screen, monkeypatch):
+@pytest.mark.parametrize("late", [False, True], ids=["in time", "late"])
+async def test_the_plain_log_shows_every_row(open_screen, monkeypatch, late):
+    """Also where a page is only painted after its time is over."""
+    for name in ("REST", "BREATH") if late else ():
+        monkeypatch.setattr(log_rows, name, 0.0001)
     async with open_screen("", plain=True) as screen:
         painted = pictures_of(screen, monkeypatch)
         await screen.type_line(

@@ -96,8 +96,10 @@ class LogRows(TextRows):
         self.scroll_to(y=self._page, animate=False, force=True, immediate=True)
 
     def _wait(self, seconds: float, do: Callable[[], None]) -> None:
+        """The time begins once the page is painted, which takes long on a busy machine."""
         self._give_up_waiting()
-        self._waiting = self.set_timer(seconds, do)
+        self._waiting = self.set_timer(seconds, do, pause=True)
+        self.call_after_refresh(self._waiting.resume)
 
     def _give_up_waiting(self) -> None:
         if self._waiting is not None:
