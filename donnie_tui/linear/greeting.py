@@ -14,6 +14,7 @@ import termios
 
 from donnie_tui import DETAILS
 from donnie_tui.i18n.first_words import early
+from donnie_tui.settings import PROFILES, SPEECH
 from donnie_tui.settings.folders import UNSAVED, offers_tour, state_path
 from language.locales import ENGLISH, SEARCH_PATH, folders, language_of_locale
 
@@ -25,8 +26,8 @@ _HARMLESS = ("DONNIE_LANG", "DONNIE_LINEAR", "DONNIE_READER", "DONNIE_TOUR", "DO
 _SWITCH = ("on", "off")
 PLAIN_VALUES = {
     "--lang": tuple(folders()),
-    "--profile": ("auto", "2016", "2018"),
-    "--speech": ("auto", "text", "ssip", "tts", "robot", "off"),
+    "--profile": PROFILES,
+    "--speech": SPEECH,
     "--sound": _SWITCH,
     "--verbosity": DETAILS,
 }

@@ -17,7 +17,7 @@ from msgspec import Struct
 
 from devices.ports.robot import NETWORK_SCHEMES, Bearing
 from donnie_tui.process.confinement import make_folder, open_bytes
-from donnie_tui.settings import OFF, ON
+from donnie_tui.settings import OFF, ON, SPEECH
 from donnie_tui.settings.folders import account_settings_file, settings_file
 from language.locales import language_of_locale, toml_in
 
@@ -31,8 +31,6 @@ LONGEST_PROGRESS = 3600
 
 RATES, PERCENTS = (80, 450), (0, 100)
 """The least and the most: words a minute, and of pitch and loudness."""
-
-SPEECH = ("auto", "off", "text", "ssip", "tts", "robot")
 
 _WAV = "wav:"
 
@@ -191,8 +189,6 @@ STEPS_WANTED = "5 10 20"
 COLUMNS_WANTED = "front 3, front-right 4, back 0 6"
 METRES_WANTED = "0.001-1"
 SONARS_WANTED = "front-right front front-left back-left back back-right"
-PROFILES = ("auto", "2016", "2018")
-"""The firmware of a real robot; ``auto`` assumes that of 2016 until the wheels count backwards."""
 WHEELS_WANTED = "normal reversed"
 HEADS = ("left", "right")
 RESET_WANTED = "auto, dtr, gpio:22, none"

@@ -15,6 +15,7 @@ from msgspec import Struct, field
 
 from donnie_tui import DETAILS
 from donnie_tui.process.confinement import real_path
+from donnie_tui.settings import PROFILES, SPEECH
 from donnie_tui.settings.parsing import (
     BUMPERS_WANTED,
     CAMERA_WANTED,
@@ -25,13 +26,11 @@ from donnie_tui.settings.parsing import (
     METRES_WANTED,
     PERCENTS,
     PORT_WANTED,
-    PROFILES,
     RATES,
     RESET_WANTED,
     ROBOT_WANTED,
     SLOWEST,
     SONARS_WANTED,
-    SPEECH,
     STEPS_WANTED,
     VIEWS,
     WHEELS_WANTED,
