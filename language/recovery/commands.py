@@ -466,7 +466,13 @@ def _read_short_change(reader: TokenReader) -> None:
         amount, width = (reader.typed(value), 4) if is_plain else ("", 3)
     start = f"{typed} =" if sign[0] == _COLON else f"{typed} = {typed} {sign[5]}"
     meant = f"{start} {amount}" if amount else ""
-    details: dict[str, str | int] = {"written": meant or f"{start} 1"}
+    written = meant or f"{start} 1"
+    if sign[0] == _COLON and not amount:
+        meant = start
+        near = reader.tokens[reader.at + 3 : reader.at + 3 + _LONGEST_EVERYDAY_LINE]
+        rest = [reader.typed(each) for each in takewhile(lambda each: each[0] and each[3] == last[3], near)]
+        written = f"{start} {' '.join(rest)}" if rest else written
+    details: dict[str, str | int] = {"written": written}
     reader.report(MistakeKind.SYNTAX, name, "short-change", ("=",), meant, details, width)
     reader.at += 1
     reader.mark_flaw()

@@ -822,6 +822,21 @@ def test_the_short_change_of_another_language_is_one_mistake(source: str, meant:
 
 
 @pytest.mark.parametrize(
+    ("source", "written", "corrected"),
+    [
+        ("VAR i i := i + 1\nFW i", "i = i + 1", "VAR i i = i + 1\nFW i"),
+        ("VAR i i :=  2  *  3", "i = 2 * 3", "VAR i i =  2  *  3"),
+        ("VAR i i :=", "i = 1", "VAR i i ="),
+    ],
+)
+def test_a_colon_before_an_equals_sign_is_left_out(source: str, written: str, corrected: str) -> None:
+    only = the_mistake(source)
+
+    assert only.details["written"] == written
+    assert source[: only.span.start] + only.meant + source[only.meant_end :] == corrected
+
+
+@pytest.mark.parametrize(
     ("source", "found", "column"),
     [
         ("VAR a = RANDOM 5\nFW a", "RANDOM 5", 9),
