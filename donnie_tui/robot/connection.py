@@ -90,13 +90,15 @@ class _Connected(Struct):
         self.guard = Guard(robot.port) if is_real else None
 
     def drop(self) -> None:
-        robot, self.robot = self.robot, None
+        """Any thread. Another one waits for the robot as well, as the process may end then."""
+        robot = self.robot
         if robot is None:
             return
         robot.close()
-        self.has_run_away = robot.has_run_away
-        if self.guard is not None:
-            self.guard.end(may_drive_on=robot.may_drive_on)
+        self.has_run_away, self.robot = robot.has_run_away, None
+        guard, self.guard = self.guard, None
+        if guard is not None:
+            guard.end(may_drive_on=robot.may_drive_on)
 
 
 class Connection:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import io
 import subprocess
 import sys
+import threading
 from collections.abc import Callable, Iterator
+from queue import SimpleQueue
 from typing import Any
 
 import pytest
@@ -98,6 +100,40 @@ def connected(monkeypatch: pytest.MonkeyPatch) -> Iterator[Connected]:
     made = Connected(monkeypatch, Settings(camera=None))
     yield made
     made.connection.close()
+
+
+def test_while_the_robot_is_being_closed_each_thread_waits_and_knows_that_it_drives(
+    connected: Connected,
+) -> None:
+    """Else a process that ends meanwhile does not report that its robot has run away."""
+    connection = connected.connection
+    connection.connect("serial:/dev/a")
+    robot, ended = connected.robots[-1], SimpleQueue[str]()
+    may_end, close = threading.Event(), robot.close
+
+    def close_slowly() -> None:
+        ended.put("begun")
+        robot.has_run_away = True
+        may_end.wait(TIMEOUT)
+        close()
+
+    robot.close = close_slowly  # type: ignore[method-assign]
+
+    def drop() -> None:
+        connection.close()
+        ended.put("closed")
+
+    threads = [threading.Thread(target=drop) for _ in range(2)]
+    for each in threads:
+        each.start()
+    assert [ended.get(timeout=TIMEOUT) for _ in threads] == ["begun", "begun"]
+    assert connection.has_run_away
+    may_end.set()
+    for each in threads:
+        each.join()
+
+    assert connection.has_run_away
+    assert connected.guards == ["/dev/robot-of-no-machine", False]
 
 
 def test_a_session_begins_with_its_simulated_robot(connected: Connected) -> None:
