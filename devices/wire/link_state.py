@@ -7,9 +7,6 @@ from enum import Enum, auto
 from msgspec import Struct
 from msgspec.structs import replace
 
-FORCE = 0.7
-"""Seconds that a restart by force takes, at most."""
-
 
 class LinkState(Enum):
     """The state of a link."""
@@ -95,6 +92,8 @@ class LinkConfig(Struct, frozen=True):
     """Interval at which a stop is repeated until the wheels stand."""
     runaway: float = 0.5
     """Wheels that still count that long after a stop are stopped by force."""
+    force: float = 0.7
+    """A restart by force takes so long, at most."""
     reopen: float = 0.5
     """Between two attempts to reopen a lost port."""
     tick_jump: int = 60
@@ -107,7 +106,7 @@ class LinkConfig(Struct, frozen=True):
     @property
     def longest_stop(self) -> float:
         """Seconds after which all was done to stop a robot that can be; 2.2 with the defaults."""
-        return 3 * self.runaway + FORCE
+        return 3 * self.runaway + self.force
 
     def slower(self, factor: float) -> LinkConfig:
         """The same with longer timeouts, for a computer that lets this program wait for its turn."""
@@ -117,4 +116,5 @@ class LinkConfig(Struct, frozen=True):
             silence=factor * self.silence,
             lease=factor * self.lease,
             runaway=factor * self.runaway,
+            force=factor * self.force,
         )

@@ -491,5 +491,6 @@ def test_the_times_of_a_link_are_those_of_the_documentation() -> None:
     assert config.reopen == 0.5  # unplug
     assert config.longest_stop == pytest.approx(2.2, abs=0.05)  # shutdown
     slower = config.slower(4.0)
+    assert slower.longest_stop == pytest.approx(8.8, abs=0.2)
     assert (slower.first_answer, slower.silence, slower.lease, slower.runaway) == (24.0, 2.0, 1.6, 2.0)
     assert (slower.gap, slower.repeat, slower.flush_pause, slower.reopen) == (0.04, 0.2, 0.1, 0.5)
