@@ -98,7 +98,7 @@ def test_a_thing_is_described_in_words_of_every_language(text: str, described: D
         ("box AS 7", {4: "A name begins with a letter: AS treasure."}),
         ("box x AS", {4: "x is neither a thing nor a color.",
                       6: "A name begins with a letter: AS treasure."}),
-        ("box " + "q" * 50, {4: "q" * 40 + " is neither a thing nor a color."}),
+        ("box " + "q" * 50, {4: "q" * 39 + "… is neither a thing nor a color."}),
     ],
 )  # fmt: skip
 def test_each_word_that_means_nothing_has_its_place(text: str, mistakes: Mapping[int, str]) -> None:
@@ -334,7 +334,7 @@ def test_a_thing_is_found_by_its_name_its_kind_its_colour_or_its_square(
         ("donnie", "There is no donnie here."),
         ("chiar", "There is no chiar here. Did you mean chair?"),
         ("ANA", "ANA is a robot. It moves by its program."),
-        ("q" * 50, f"There is no {'q' * 40} here."),
+        ("q" * 50, f"There is no {'q' * 39}… here."),
     ],
 )
 def test_what_is_not_one_thing_is_said(typed: str, sentence: str, tmp_path: Path) -> None:
