@@ -37,7 +37,6 @@ from donnie_tui.core.session import RunOptions
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.files import may_be_replaced
-from donnie_tui.process.signals import longer
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import settings_file
 from donnie_tui.settings.settings import Settings, SettingSource
@@ -213,7 +212,7 @@ def _await_end(run: Run, stopped: threading.Event, donnie: Donnie) -> None:
         if not stopped.is_set():
             continue
         donnie.connection.wait_until_standing()
-        if not run.wait(longer(LAST_WORDS)):
+        if not run.wait(LAST_WORDS):
             _leave_at_once(donnie)
 
 
