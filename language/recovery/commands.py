@@ -233,9 +233,10 @@ def _read_everyday(reader: TokenReader) -> bool:
     return True
 
 
-def _rest_of_line(reader: TokenReader) -> list[Token]:
-    """As much of it as an everyday line can have."""
-    near = reader.tokens[reader.at : reader.at + _LONGEST_EVERYDAY_LINE]
+def _rest_of_line(reader: TokenReader, skipped: int = 0) -> list[Token]:
+    """The tokens to the end of the line, as many as an everyday line can have, without the first ones."""
+    at = reader.at + skipped
+    near = reader.tokens[at : at + _LONGEST_EVERYDAY_LINE]
     return list(takewhile(lambda each: each[0] and each[3] == reader.token[3], near))
 
 
@@ -469,9 +470,8 @@ def _read_short_change(reader: TokenReader) -> None:
     written = meant or f"{start} 1"
     if sign[0] == _COLON and not amount:
         meant = start
-        near = reader.tokens[reader.at + 3 : reader.at + 3 + _LONGEST_EVERYDAY_LINE]
-        rest = [reader.typed(each) for each in takewhile(lambda each: each[0] and each[3] == last[3], near)]
-        written = f"{start} {' '.join(rest)}" if rest else written
+        rest = " ".join(map(reader.typed, _rest_of_line(reader, skipped=3)))
+        written = f"{start} {rest}" if rest else written
     details: dict[str, str | int] = {"written": written}
     reader.report(MistakeKind.SYNTAX, name, "short-change", ("=",), meant, details, width)
     reader.at += 1
