@@ -93,7 +93,7 @@ class LinkConfig(Struct, frozen=True):
     runaway: float = 0.5
     """Wheels that still count that long after a stop are stopped by force."""
     force: float = 0.7
-    """A restart by force takes so long, at most."""
+    """The longest time that a restart by force takes."""
     reopen: float = 0.5
     """Between two attempts to reopen a lost port."""
     tick_jump: int = 60

@@ -107,7 +107,7 @@ def _end_with(keeper: int) -> None:
         except OSError:  # it ended just now, or this system can't say
             if os.path.exists(f"/proc/{keeper}"):  # noqa: PTH110 -- as above
                 return
-        is_ignored = signal.getsignal(signal.SIGHUP) is signal.SIG_IGN  # below nohup, until Donnie handles it
+        is_ignored = signal.getsignal(signal.SIGHUP) is signal.SIG_IGN  # as by nohup, until Donnie begins
         os.kill(os.getpid(), signal.SIGTERM if is_ignored else signal.SIGHUP)
 
     threading.Thread(target=wait, name="hang-up", daemon=True).start()

@@ -90,7 +90,7 @@ class _Connected(Struct):
         self.guard = Guard(robot.port) if is_real else None
 
     def drop(self) -> None:
-        """Any thread. Another one waits for the robot as well, as the process may end then."""
+        """Close the robot. Each calling thread waits until it is closed, as the process may end then."""
         robot = self.robot
         if robot is None:
             return

@@ -7,4 +7,4 @@ OFF = ("off", "no", "false", "0")
 PROFILES = ("auto", "2016", "2018")
 """The firmware of a real robot; ``auto`` assumes that of 2016 until the wheels count backwards."""
 SPEECH = ("auto", "off", "text", "ssip", "tts", "robot")
-"""What speaks; see ``devices.audio.channel``."""
+"""What says the sentences: a setting, explained in docs/speech-and-sound.md."""

@@ -96,7 +96,7 @@ class LogRows(TextRows):
         self.scroll_to(y=self._page, animate=False, force=True, immediate=True)
 
     def _wait(self, seconds: float, do: Callable[[], None]) -> None:
-        """The time begins once the page is painted, which takes long on a busy machine."""
+        """Call ``do`` so many seconds after the page is painted, which may be late on a busy machine."""
         self._give_up_waiting()
         self._waiting = self.set_timer(seconds, do, pause=True)
         self.call_after_refresh(self._waiting.resume)
