@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import os
 import threading
+import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing
 from functools import partial
@@ -37,6 +38,7 @@ from donnie_tui.core.session import RunOptions
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.files import may_be_replaced
+from donnie_tui.process.signals import longer
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import settings_file
 from donnie_tui.settings.settings import Settings, SettingSource
@@ -120,6 +122,8 @@ def _is_regular(path: Path) -> bool:
 
 _CHECK_INTERVAL = 0.5
 """Seconds between two checks for a signal during a wait that a signal can't interrupt."""
+_LONGEST_END = 10.0
+"""Seconds for a stopped run to end once its robot stands."""
 
 _CODE_OF = {
     Outcome.COMPLETED: ExitCode.DONE,
@@ -198,22 +202,33 @@ def _run_to_the_end(donnie: Donnie, programs: Mapping[str, RunRequest], output: 
     ):
         started = donnie.team.start_together(programs, RunOptions(trace=trace, hooked=False))
         for each in started:
-            _await_end(each, stopped, donnie)
+            _await_end(each, stopped, donnie, output)
         let_sound(donnie.outlets.audible.is_still_within, stopped)
     if rested.is_set():  # known for certain only now: a stop may take longer than the run that it ends
         output.complaint(donnie.words("suspended-stopped"))
     return max(ExitCode.FAILED if each.outcome is None else _CODE_OF[each.outcome] for each in started)
 
 
-def _await_end(run: Run, stopped: threading.Event, donnie: Donnie) -> None:
-    """Wait for the run. Leaves a stopped run that can't end, because its output is not read, once its
-    robot stands."""
+def _await_end(run: Run, stopped: threading.Event, donnie: Donnie, output: Output) -> None:
+    """Wait for the run. Leaves a stopped run once its robot stands if nothing reads its output."""
     while not run.wait(_CHECK_INTERVAL):
-        if not stopped.is_set():
-            continue
-        donnie.connection.wait_until_standing()
-        if not run.wait(LAST_WORDS):
+        if stopped.is_set():
+            donnie.connection.wait_until_standing()
+            if not _wait_for_end(run, output):
+                _leave_at_once(donnie)
+            break
+    while output.is_stuck():  # the closing would wait for it, whatever comes
+        if stopped.is_set():
             _leave_at_once(donnie)
+
+
+def _wait_for_end(run: Run, output: Output) -> bool:
+    """Wait for the end of a stopped run. False if nothing reads the output, or it takes too long."""
+    until = time.monotonic() + longer(_LONGEST_END)
+    while not run.wait(LAST_WORDS):
+        if output.is_stuck() or time.monotonic() > until:
+            return False
+    return True
 
 
 def _leave_at_once(donnie: Donnie) -> None:

@@ -41,6 +41,7 @@ class Output:
         self.problem: str | None = None
         """The reason, unless the reader has just closed the pipe."""
         self.on_broken: Callable[[], None] = _nothing
+        self._is_writing, self._is_complaining = threading.RLock(), threading.RLock()
 
     def line(self, text: str) -> None:
         """Write a line of the result, without anything that a terminal would obey."""
@@ -61,8 +62,9 @@ class Output:
         if self.is_broken:
             return
         try:
-            write()
-            self.out.flush()
+            with self._is_writing:
+                write()
+                self.out.flush()
         except BrokenPipeError:
             self._give_up(None)
         except (OSError, ValueError) as problem:
@@ -71,10 +73,15 @@ class Output:
     def complaint(self, *sentences: str) -> None:
         """Write Donnie's own diagnostics to standard error, a line each."""
         try:
-            self._err.writelines(f"{_shown(each)}\n" for each in sentences)
-            self._err.flush()
+            with self._is_complaining:
+                self._err.writelines(f"{_shown(each)}\n" for each in sentences)
+                self._err.flush()
         except (OSError, ValueError):
             _throw_away(self._err)
+
+    def is_stuck(self) -> bool:
+        """Whether a write of another thread does not end: nothing reads the output. Waits a moment for it."""
+        return not (_is_free_soon(self._is_writing) and _is_free_soon(self._is_complaining))
 
     def finish(self) -> None:
         """Flush the output. A lost terminal does not change the exit code."""
@@ -89,6 +96,17 @@ class Output:
         self.is_broken, self.problem = True, problem
         _throw_away(self.out)
         self.on_broken()
+
+
+_LONGEST_WRITE = 1.0
+"""Seconds; a write takes far less, unless nothing reads it."""
+
+
+def _is_free_soon(lock: threading.RLock) -> bool:
+    is_free = lock.acquire(timeout=_LONGEST_WRITE)
+    if is_free:
+        lock.release()
+    return is_free
 
 
 class Guarded:

@@ -191,7 +191,7 @@ def timeout_factor() -> float:
     return factor if factor > 0 else 1.0
 
 
-def _longer(seconds: float) -> float:
+def longer(seconds: float) -> float:
     """A deadline on a slow or busy computer; never shorter."""
     return seconds * max(1.0, timeout_factor())
 
@@ -216,7 +216,7 @@ class Watchdog:
         the thread of the watchdog or that of ``take``, and must not wait for the main thread.
         """
         self._handlers, self._part, self._halt, self._on_number = handlers, part, halt, on_number
-        self._leave = _longer(LEAVE if leave is None else leave)
+        self._leave = longer(LEAVE if leave is None else leave)
         self._ended = threading.Event()
         self.left: tuple[int, float] | None = None
         """The first signal that ends the process, and when it came."""
@@ -299,7 +299,7 @@ def heeded(_number: int, _frame: FrameType | None) -> None:
 
 def end_process(code: Callable[[], int], last: Sequence[Task]) -> NoReturn:
     """Run the last tasks, as far as they don't hang, and end. Nothing else is closed, as it may hang, too."""
-    until = time.monotonic() + _longer(LAST)
+    until = time.monotonic() + longer(LAST)
     threads = [threading.Thread(target=_quietly, args=(task,), daemon=True) for task in last]
     for each in threads:
         each.start()

@@ -52,19 +52,25 @@ def _place(thread: Path) -> str:
         return ""
 
 
+def driving_run(folder: Path, robot: PtyBoard, text: str, **changes: str) -> pexpect.spawn:
+    """``donnie run`` with that program, its robot driving."""
+    run = pexpect.spawn(
+        sys.executable,
+        [*COMMAND[1:], "run", program(folder, text), *serial(robot), *QUIET],
+        env=environment(folder, changes),
+        cwd=str(folder),
+        timeout=TIMEOUT,
+    )
+    assert until(lambda: robot.board.is_driving)
+    return run
+
+
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda each: each.name)
 def test_a_run_with_unread_output_stops_its_robot_and_ends(
     tmp_path: Path, robot: PtyBoard, number: signal.Signals
 ) -> None:
     """The printing thread and the run hang, and the board waits for the rest of a frame."""
-    run = pexpect.spawn(
-        sys.executable,
-        [*COMMAND[1:], "run", program(tmp_path, "FW 300\n"), *serial(robot), *QUIET],
-        env=environment(tmp_path),
-        cwd=str(tmp_path),
-        timeout=TIMEOUT,
-    )
-    assert until(lambda: robot.board.is_driving)
+    run = driving_run(tmp_path, robot, "FW 300\n")
     with terminal_that_takes_nothing(run):
         robot.board.millivolts = 6000
         assert until(is_stuck(run.pid))
@@ -76,15 +82,23 @@ def test_a_run_with_unread_output_stops_its_robot_and_ends(
     assert run.exitstatus == 130
 
 
+def test_a_run_that_has_ended_with_unread_output_can_be_stopped(tmp_path: Path, robot: PtyBoard) -> None:
+    """Another thread prints than the one of the program, which ends by itself."""
+    run = driving_run(tmp_path, robot, "FW 1\nWAIT 10\n")
+    with terminal_that_takes_nothing(run):
+        robot.board.millivolts = 6000
+        assert until(is_stuck(run.pid))
+        threads = Path(f"/proc/{run.pid}/task")
+        before = len([*threads.iterdir()])
+        assert until(lambda: len([*threads.iterdir()]) < before)
+        run.kill(signal.SIGINT)
+
+        assert until(lambda: not run.isalive())
+    assert run.exitstatus == 130
+
+
 def test_a_run_with_unread_output_whose_robot_does_not_stop_fails(tmp_path: Path, robot: PtyBoard) -> None:
-    run = pexpect.spawn(
-        sys.executable,
-        [*COMMAND[1:], "run", program(tmp_path, "FW 300\n"), *serial(robot), *QUIET],
-        env=environment(tmp_path, SOON),
-        cwd=str(tmp_path),
-        timeout=TIMEOUT,
-    )
-    assert until(lambda: robot.board.is_driving)
+    run = driving_run(tmp_path, robot, "FW 300\n", **SOON)
     with terminal_that_takes_nothing(run):
         robot.board.millivolts = 6000
         assert until(is_stuck(run.pid))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from itertools import count
 from pathlib import Path
 from types import SimpleNamespace as Part
 from typing import Any
@@ -42,7 +43,9 @@ class Running:
             words=Words(),
             close=lambda: self.did.append("closed"),
         )
-        self.output: Any = Part(on_broken=None, complaint=self.did.append, line=self.did.append)
+        self.output: Any = Part(
+            on_broken=None, complaint=self.did.append, line=self.did.append, is_stuck=lambda: False
+        )
 
     def _run(self, outcome: Outcome | None, ends_after: int) -> Any:
         waits = list[float]()
@@ -81,7 +84,7 @@ def test_the_worst_program_is_the_exit_code(outcomes: tuple[Outcome | None, ...]
 
 def test_a_run_is_waited_for_in_steps_until_it_ends() -> None:
     it = Running(Outcome.COMPLETED, ends_after=3)
-    run_module._await_end(it.runs[0], threading.Event(), it.donnie)
+    run_module._await_end(it.runs[0], threading.Event(), it.donnie, it.output)
 
     assert (it.runs[0].waits, it.did) == ([0.5] * 4, [])
 
@@ -105,28 +108,60 @@ def test_what_a_suspension_did_is_a_complaint(has_stopped: bool, monkeypatch: py
     assert it.did == [refused, ({}, True, False), "is silent", "closed", *[said] * has_stopped]
 
 
-@pytest.mark.parametrize(("has_run_away", "code"), [(False, 130), (True, 1)])
-def test_a_stopped_run_that_can_not_end_is_left_once_its_robot_stands(
-    monkeypatch: pytest.MonkeyPatch, has_run_away: bool, code: int
-) -> None:
-    it, codes, stopped = (
-        Running(None, ends_after=9, has_run_away=has_run_away),
-        list[int](),
-        threading.Event(),
-    )
+@pytest.fixture
+def codes(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """The exit codes with which the process was left at once."""
+    left = list[int]()
 
-    def leave(with_code: int) -> None:
-        codes.append(with_code)
+    def leave(code: int) -> None:
+        left.append(code)
         raise Ended
 
     monkeypatch.setattr(run_module.os, "_exit", leave)
+    return left
+
+
+@pytest.mark.parametrize(("has_run_away", "code"), [(False, 130), (True, 1)])
+@pytest.mark.parametrize(
+    ("ends_after", "waits"),
+    [(9, [0.5, 1.0]), (1, [0.5, 1.0]), (0, [0.5])],
+    ids=["never", "in time", "before the stop"],
+)
+def test_a_stopped_run_with_stuck_output_is_left_once_its_robot_stands(
+    codes: list[int], has_run_away: bool, code: int, ends_after: int, waits: list[float]
+) -> None:
+    it, stopped = Running(None, ends_after=ends_after, has_run_away=has_run_away), threading.Event()
+    it.output.is_stuck = lambda: True
     stopped.set()
     with pytest.raises(Ended):
-        run_module._await_end(it.runs[0], stopped, it.donnie)
+        run_module._await_end(it.runs[0], stopped, it.donnie, it.output)
 
-    assert it.did == ["stands", "stopped", "connection closed"]
+    assert it.did == [*["stands"] * (ends_after > 0), "stopped", "connection closed"]
     assert codes == [code]
-    assert it.runs[0].waits == [0.5, 1.0], "the output may be stuck for ever"
+    assert it.runs[0].waits == waits
+
+
+def test_a_stopped_run_may_end_late_on_a_busy_computer(codes: list[int]) -> None:
+    it, stopped = Running(Outcome.STOPPED, ends_after=5), threading.Event()
+    stopped.set()
+    run_module._await_end(it.runs[0], stopped, it.donnie, it.output)
+
+    assert it.runs[0].waits == [0.5, *[1.0] * 5]
+    assert (it.did, codes) == (["stands"], [])
+
+
+def test_a_stopped_run_that_never_ends_is_left_in_the_end(
+    codes: list[int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    it, stopped, seconds = Running(None, ends_after=99), threading.Event(), count(0.0, 1.0)
+    monkeypatch.delenv("DONNIE_ROBOT_TIMEOUTS", raising=False)
+    monkeypatch.setattr(run_module.time, "monotonic", lambda: next(seconds))
+    stopped.set()
+    with pytest.raises(Ended):
+        run_module._await_end(it.runs[0], stopped, it.donnie, it.output)
+
+    assert codes == [130]
+    assert it.runs[0].waits == [0.5, *[1.0] * 11]
 
 
 def test_what_programs_say_is_the_output_and_what_donnie_says_a_complaint() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import io
 import os
+import select
 import sys
 import threading
 from collections.abc import Callable
@@ -12,6 +13,7 @@ from collections.abc import Callable
 import pytest
 
 from donnie_tui.cli.streams import Guarded, Input, Output, is_terminal, let_sound
+from tests.timeouts import TIMEOUT
 
 
 class Failing(io.StringIO):
@@ -76,6 +78,29 @@ def test_a_complaint_that_can_t_be_written_is_lost_and_harms_nothing() -> None:
     output.complaint("a")
     output.finish()
     assert not output.is_broken
+
+
+def has_some(pipe: int, within: float = 0.01) -> bool:
+    return bool(select.select([pipe], [], [], within)[0])
+
+
+@pytest.mark.parametrize("write", [lambda output: output.line, lambda output: output.complaint])
+def test_output_is_stuck_while_nothing_reads_it(
+    write: Callable[[Output], Callable[[str], None]],
+) -> None:
+    reading, writing = os.pipe()
+    with open(writing, "w", encoding="utf-8") as pipe:  # noqa: PTH123
+        output = Output(pipe, pipe)
+        assert not output.is_stuck()
+        writer = threading.Thread(target=write(output), args=("a" * 1_000_000,), daemon=True)
+        writer.start()
+        assert has_some(reading, TIMEOUT)
+        assert output.is_stuck()
+        while writer.is_alive():
+            if has_some(reading):
+                os.read(reading, 65_536)
+        assert not output.is_stuck()
+    os.close(reading)
 
 
 def test_without_an_output_nothing_is_written(monkeypatch: pytest.MonkeyPatch) -> None:
