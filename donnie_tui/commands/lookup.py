@@ -200,7 +200,7 @@ def unknown_word(
         return None
     near = _nearest_command(words, commands, language)
     mistake = _mistake_in(line, lines, parse) if near is not None else None
-    if near is None or mistake is None or mistake.code == "everyday" or _is_nearer(mistake.meant, near):
+    if near is None or mistake is None or mistake.code == "everyday" or _is_nearer(mistake.meant, near, line):
         return None
     return near
 
@@ -234,10 +234,12 @@ def _nearest_command(words: Sequence[str], commands: Sequence[Command], language
     return None
 
 
-def _is_nearer(keyword: str, near: Unknown) -> bool:
-    """Whether a word of GoDonnie is as near as the command's, or nearer."""
+def _is_nearer(keyword: str, near: Unknown, line: str) -> bool:
+    """Whether a word of GoDonnie is as near as the command's, or nearer. RUN alone is the command."""
     from language.suggestions import edit_distance
 
+    if _folded(keyword) == _folded(near.meant):
+        return line.split() != near.word.split()
     typed = _folded(near.word)
     distance = edit_distance(typed, _folded(near.meant))
     return bool(keyword) and edit_distance(typed, _folded(keyword)) <= distance
