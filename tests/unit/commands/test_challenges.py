@@ -690,3 +690,38 @@ def test_an_area_that_is_a_goal_is_drawn_where_the_floor_is_free(
         "8, 0: ball. 8 right.",
         "5, 0: free. 5 right.",
     ]
+
+
+@pytest.mark.parametrize("line", ["TASK", "GOALS", "RESULTS"])
+def test_a_challenge_answers_while_a_program_runs(open_script: OpenScript, line: str) -> None:
+    """A learner looks for what is still to be done while the robot walks."""
+    script = open_script(world="challenge:to_the_ball", speed=1.0)
+    at_rest = script.answers_to(line)
+    script.run("WAIT 1000")
+    script.type(line)
+    script.donnie.session.stop()
+    script.rest()
+
+    assert at_rest
+    assert [script.printed.count(each) for each in at_rest] == [2] * len(at_rest)
+
+
+def test_a_hint_comes_while_a_program_runs(open_script: OpenScript) -> None:
+    script = open_script(world="challenge:to_the_ball", speed=1.0)
+    script.run("WAIT 1000")
+    script.type("HINT")
+    script.donnie.session.stop()
+    script.rest()
+
+    assert "Turn right by 90 degrees first." in script.printed
+
+
+@pytest.mark.parametrize("line", ["CHALLENGE 2", "NEXT CHALLENGE"])
+def test_no_other_challenge_begins_while_a_program_runs(open_script: OpenScript, line: str) -> None:
+    script = open_script(world="challenge:to_the_ball", speed=1.0)
+    script.run("WAIT 1000")
+    script.type(line)
+    script.donnie.session.stop()
+    script.rest()
+
+    assert Words()("screen-busy") in script.printed
