@@ -24,6 +24,7 @@ from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.process.confinement import confinement, may_run_programs
 from donnie_tui.settings.parsing import read_switch
 from donnie_tui.settings.settings import BY_KEY, CONFINED, DEVICES, ServedFile, Settings
+from language.source import quoted
 
 if TYPE_CHECKING:
     from devices.audio.channel import DetectedEnvironment
@@ -233,7 +234,7 @@ def number_in(words: Words, complaint: str, typed: str, allowed: range) -> int:
     """Parse a typed number. Raises ``Unusable`` if it is not allowed."""
     number = int(typed) if typed.isdecimal() and len(typed) <= _MOST_DIGITS else -1
     if number not in allowed:
-        raise Unusable(words(complaint, value=typed[:20], least=allowed[0], most=allowed[-1]))
+        raise Unusable(words(complaint, value=quoted(typed), least=allowed[0], most=allowed[-1]))
     return number
 
 

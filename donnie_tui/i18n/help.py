@@ -20,7 +20,7 @@ from donnie_tui.core.reports import Section
 from donnie_tui.core.wording import BRAILLE_CELLS, Wording
 from language import keywords
 from language.locales import first_page
-from language.source import fold_name
+from language.source import fold_name, quoted
 from language.suggestions import SAMPLES, everyday
 
 
@@ -177,7 +177,7 @@ def _spelled(place: str, words: Wording) -> str:
 
 
 def _unknown(topic: str, words: Wording) -> tuple[str, ...]:
-    shown = topic[:30]
+    shown = quoted(topic)
     known = {word.lower(): word for word in keywords.all_words()}
     import difflib
 
