@@ -97,8 +97,9 @@ _WRITTEN_AS = {
     **dict.fromkeys("\u00d7\u2715\u00b7\u22c5", "*"),
     **dict.fromkeys("\u00f7\u2044\u2215", "/"),
     "\u2261": "==",
+    **dict.fromkeys(("!=", "!=="), "<>"),
 }
-"""Signs of mathematics, and how GoDonnie writes them."""
+"""Signs of mathematics and of other programming languages, and how GoDonnie writes them."""
 
 _MARKED_SIGN = rf"(?:[=<>]=|<>|[=<>+\-*/()\[\],:;]){MARK}+"
 """A sign with a loose mark is another sign: = with a stroke through it means different."""
@@ -142,7 +143,7 @@ def _pieces(is_ascii: bool) -> re.Pattern[str]:
     marked = "" if is_ascii else f"{_MARKED_SIGN}|"
     return re.compile(
         rf" +|{marked}{letter}+|\r\n?|\n|==|<>|<=|>=|{dashes}[^\r\n]*|{_OTHER_COMMENT}"
-        rf"|\"[^\"]*\"|[^\S\r\n]+|'[^'\r\n]*'{others}|.",
+        rf"|\"[^\"]*\"|[^\S\r\n]+|'[^'\r\n]*'{others}|!==?|.",
         re.DOTALL | (re.ASCII if is_ascii else 0),
     )
 
@@ -353,7 +354,9 @@ class _Lexer:
             self._flaws.append((MistakeKind.UNKNOWN_CHARACTER, start, mark_end, *place))
         else:
             self._flaw(MistakeKind.UNKNOWN_CHARACTER, start, end)
-            if len(piece) > 1 and not piece.endswith(MARK):
+            if piece[0] == "!" and len(piece) > 1:  # the rest is read as the sign that it is
+                self._tokens.append(self._token(_known[piece[1:]], start + 1, end))
+            elif len(piece) > 1 and not piece.endswith(MARK):
                 self._tokens.append(self._token(STRING, start, end))
 
     def _command_or_name(self, piece: str, start: int, end: int) -> Token:

@@ -40,6 +40,9 @@ MOST_EXPECTED = 4
 _SAYS_WHAT_IS_MEANT = ("missing-argument", "number-word", "short-change", "text-quotes", "filler")
 """Codes whose sentence already says what was meant."""
 
+_HINT_OF_SIGN = {"--": "hint-comment", "<>": "hint-different"}
+"""By the sign that was meant: what it is for, as a voice may not say it."""
+
 _ARGUMENTS_OF = {"direction": "DIRECTION", "axis": "AXIS", "colour": "COLOUR", "on-or-off": "SWITCH"}
 
 
@@ -54,8 +57,8 @@ def hint(diagnostic: Diagnostic, words: Wording) -> str | None:
     make = _HINT_OF.get(diagnostic.kind)
     if diagnostic.meant and diagnostic.code in _SAYS_WHAT_IS_MEANT:
         return None
-    if diagnostic.meant == "--":
-        return words("hint-comment")
+    if diagnostic.meant in _HINT_OF_SIGN:
+        return words(_HINT_OF_SIGN[diagnostic.meant])
     if not diagnostic.meant or diagnostic.meant_at is not None or diagnostic.code in ("other-end", "spoken"):
         return make(diagnostic, words) if make else None
     meant = words("hint-meant", meant=diagnostic.meant)
@@ -188,8 +191,7 @@ def _command_words() -> frozenset[str]:
 
 _HINT_OF_CHARACTER = {
     ".": "hint-whole-numbers",
-    "!": "hint-different",
-    "'": "hint-double-quotes",
+    **dict.fromkeys("'«»", "hint-double-quotes"),
     "#": "hint-comment",
     "%": "hint-remainder",
     "&": "hint-second-comparison",

@@ -272,7 +272,7 @@ def test_a_sign_is_named_with_its_accents_or_by_its_number(found: str, sign: str
         ("\u2018a", "Put text between double quotes."),
         ("||", "Write a second IF after it."),
         ("&", "Write a second IF inside it."),
-        ("!", "Write <> for different."),
+        ("«", "Put text between double quotes."),
         ("%", "The rest of 7 / 2 is 7 - 7 / 2 * 2."),
         (".5", "Numbers are whole, such as 2."),
         ("#", "A comment begins with two hyphens."),

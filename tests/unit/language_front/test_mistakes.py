@@ -93,6 +93,7 @@ PLACES = [
     ("GIRAR DIRETA 90", "unknown-command", 1, 1),
     # characters
     ("IF 1 != 2 THEN SPEAK 1 END IF", "unknown-character", 1, 6),
+    ("VAR a a != 3", "unknown-character", 1, 9),
     ("FW 2.5", "unknown-character", 1, 5),
     ("VAR #x = 2", "unknown-character", 1, 5),
     ("FW 1 $ FW 2", "unknown-character", 1, 6),
@@ -213,10 +214,11 @@ def test_no_sign_is_read_without_a_loose_mark(sign: str, mark: str) -> None:
         *(("\u2266", "<="), ("\u2a7d", "<="), ("\u2267", ">="), ("\u2a7e", ">="), ("\u2261", "==")),
         *(("\u2715", "*"), ("\u00b7", "*"), ("\u22c5", "*"), ("\u2044", "/"), ("\u2215", "/")),
         *(("==\u0338", "<>"), (">=\u0338", "<"), (">\u0338", "<=")),
+        *(("!=", "<>"), ("!==", "<>"), ("!", ""), ("!<", "")),
         *(("$", ""), ("<\u0301", ""), ("\u2203", ""), ("\u2260\u2260", ""), ("\u00b2", "")),
     ],
 )
-def test_a_sign_of_mathematics_means_one_of_godonnie(typed: str, meant: str) -> None:
+def test_a_sign_of_mathematics_or_another_language_means_one_of_godonnie(typed: str, meant: str) -> None:
     only = the_mistake(f"IF 1 {typed} 2 THEN FW 1 END IF")
 
     assert only.kind is MistakeKind.UNKNOWN_CHARACTER
