@@ -87,13 +87,6 @@ def test_the_answer_to_an_unknown_topic_is_one_short_line(topic: str) -> None:
     assert len(line) <= 80
 
 
-@pytest.mark.parametrize(("length", "shown"), [(30, 30), (31, 30)])
-def test_an_unknown_topic_is_shown_up_to_thirty_characters(length: int, shown: int) -> None:
-    (line,) = Words("en").help("z" * length)
-
-    assert line == Words("en")("help-unknown", topic="z" * shown, help="HELP")
-
-
 FORMS = {
     "FW": "FW value, or FORWARD value",
     "BW": "BW value, or BACKWARD value",
@@ -191,11 +184,12 @@ def test_a_beginners_word_among_others_is_unknown(typed: str) -> None:
     ("typed", "said"),
     [
         ("zzz", "I do not know zzz. HELP lists the commands."),
-        ("w" * 31, f"I do not know {'w' * 30}. HELP lists the commands."),
+        ("w" * 40, f"I do not know {'w' * 40}. HELP lists the commands."),
+        ("w" * 41, f"I do not know {'w' * 39}…. HELP lists the commands."),
         ("repaet", "I do not know repaet. Did you mean REPEAT?"),
     ],
 )
-def test_of_an_unknown_topic_thirty_characters_are_quoted(typed: str, said: str) -> None:
+def test_of_an_unknown_topic_forty_characters_are_quoted(typed: str, said: str) -> None:
     assert Words().help(typed) == (said,)
 
 
