@@ -193,7 +193,7 @@ class WrongUsage(Exception):
     """Raised for a command line that can't be understood: the code of a sentence and its subject."""
 
     def __init__(self, code: str, what: str, near: str = "") -> None:
-        """``near`` is the command that was probably meant."""
+        """``near`` is the command or option that was probably meant."""
         super().__init__(code)
         self.code = code
         self.what = what
@@ -410,9 +410,20 @@ class _Parser(argparse.ArgumentParser):
             raise BadOption(choice[1], choice[2].strip("'\""), choice[3].replace("'", ""))
         for pattern, code in _PROBLEMS:
             found = re.fullmatch(pattern, message)
+            if found and code == "usage-unrecognized":
+                self._refuse_misspelt(found[1].split(maxsplit=1)[0].partition("=")[0])
             if found:
                 raise WrongUsage(code, quoted(", ".join(found.groups())))
         raise WrongUsage("usage-unrecognized", quoted(message))
+
+    def _refuse_misspelt(self, option: str) -> None:
+        """Raises ``WrongUsage`` if the word is nearly an option."""
+        from language.suggestions import nearest
+
+        options = [each for action in self._actions for each in action.option_strings if each[:2] == "--"]
+        near = nearest(option, options) if option[:2] == "--" else None
+        if near is not None:
+            raise WrongUsage("usage-near-option", option, near)
 
 
 def _formatter(sentence: Words) -> type[argparse.HelpFormatter]:

@@ -18,6 +18,7 @@ from donnie_tui.commands.preferences import (
     Where,
     find_preference,
     label,
+    setting_word,
     value_label,
     value_typed,
     values_in_words,
@@ -25,6 +26,7 @@ from donnie_tui.commands.preferences import (
 from donnie_tui.commands.sound import LOUD, chime, cue_meant, cue_volume_typed, cue_word
 from donnie_tui.core.wording import spelled
 from language.source import quoted
+from language.suggestions import nearest
 
 VOLUMES = (100, 75, 50, 25, 0)
 """Volumes of a cue to choose from; others can be typed: SET cue bump 60."""
@@ -82,7 +84,11 @@ async def set_value(ctx: Context, argument: str) -> None:
     preference = find_preference(name, ctx.words)
     if preference is None:
         ctx.refuse()
-        ctx.answer("screen-no-setting", name=quoted(name))
+        near = nearest(name, [setting_word(each.key, ctx.words) for each in PREFERENCES])
+        if near is None:
+            ctx.answer("screen-no-setting", name=quoted(name))
+        else:
+            ctx.answer("help-unknown-near", topic=quoted(name), near=near)
     elif preference.where is (Where.LINEAR if ctx.screen is not None else Where.SCREEN):
         ctx.answer(_only_in_other_mode(ctx))
     elif preference.key == "cues":

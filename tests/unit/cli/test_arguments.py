@@ -289,6 +289,9 @@ def test_what_is_given_is_named(line: str, given: dict[str, object]) -> None:
         ("Run", "usage-near-command", "Run", "run"),
         ("replya --foo", "usage-near-command", "replya", "replay"),
         ("xn --foo", "usage-unrecognized", "--foo", ""),
+        ("--spech off", "usage-near-option", "--spech", "--speech"),
+        ("run a.gd --lagn=pt b", "usage-near-option", "--lagn", "--lang"),
+        ("-x", "usage-unrecognized", "-x", ""),
         (f"--{'x' * 50}", "usage-unrecognized", f"--{'x' * 37}…", ""),
     ],
 )

@@ -22,6 +22,7 @@ OpenScript = Callable[..., Script]
         ("LANGUAGE espanhol", "Idioma: español."),
         ("DETAIL cheio", "Detail: full."),
         ("SET nonsense 3", "No setting is called nonsense. SET lists them."),
+        ("SET spech off", "I do not know spech. Did you mean speech?"),
     ],
 )
 def test_words_of_any_language_switch_and_choose(open_script: OpenScript, typed: str, answer: str) -> None:
