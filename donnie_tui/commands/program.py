@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 from donnie_tui.commands.context import Context
+from donnie_tui.commands.declarations import BY_NAME
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import (
     GivenUp,
@@ -15,6 +16,7 @@ from donnie_tui.commands.interaction import (
     read_numbers,
     replacement,
 )
+from donnie_tui.commands.lookup import word_of
 from donnie_tui.core.document import ANOTHER_PROGRAM, Document, ProgramTooLong
 from donnie_tui.core.editing import joined
 from donnie_tui.core.program_text import (
@@ -27,6 +29,7 @@ from donnie_tui.core.program_text import (
 )
 from donnie_tui.core.wording import language_named, name_of_language
 from language.formatter import formatted
+from language.keywords import spelling
 from language.locales import languages
 from language.source import quoted
 
@@ -196,13 +199,21 @@ def _deleted(ctx: Context, first: int, last: int) -> str:
 
 @handles("move")
 async def move(ctx: Context, argument: str) -> None:
-    """MOVE 5 2: line 5 before line 2. MOVE 5 7 2: lines 5 to 7. MOVE treasure 2 0: a thing of the world."""
+    """MOVE 5 2: line 5 before line 2. MOVE 5 7 2: lines 5 to 7. MOVE treasure 2 0: a thing of the world.
+
+    MOVE 5 is what a beginner says for FW 5.
+    """
     if argument[:1].isalpha():
         from donnie_tui.commands.build import move_thing
 
         await move_thing(ctx, argument)
         return
-    given, document = read_numbers(argument, least=2, most=3), ctx.program
+    given, document = read_numbers(argument, least=1, most=3), ctx.program
+    if len(given) == 1:
+        ctx.refuse()
+        word, walk = word_of(BY_NAME["move"], ctx.words.language), spelling("FW", ctx.words.language)
+        ctx.answer("help-unknown-near", topic=f"{word} {argument}", near=f"{walk} {given[0]}")
+        return
     first, last, to = given[0], given[-2], given[-1]
     if not _has_lines(ctx, first, last, to):
         return

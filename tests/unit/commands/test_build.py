@@ -186,7 +186,7 @@ def test_a_pushed_thing_is_moved_from_where_it_is(open_script: OpenScript) -> No
         ("TURN ball", "I did not understand. Type TURN treasure 90."),
         ("MOVE ball", "I did not understand. Type MOVE treasure 2 0."),
         ("MOVE ball 1", "I did not understand. Type MOVE treasure 2 0."),
-        ("MOVE 1", "I did not understand. Type MOVE 5 2."),
+        ("MOVE 1", "I do not know MOVE 1. Did you mean FW 1?"),
     ],
 )
 def test_what_can_not_be_done_changes_nothing_and_says_why(

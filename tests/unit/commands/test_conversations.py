@@ -88,7 +88,7 @@ CONVERSATIONS: dict[str, tuple[tuple[str, list[str]], ...]] = {
         ("DELETE 3 5", no_line(5)),
         ("DELETE 3 2", wrong("DELETE 2 5")),
         ("MOVE", wrong("MOVE 5 2")),
-        ("MOVE 1", wrong("MOVE 5 2")),
+        ("MOVE 1", ["I do not know MOVE 1. Did you mean FW 1?"]),
         ("MOVE 1 6", no_line(6)),
         ("MOVE 5 1", no_line(5)),
         ("COPY 5", no_line(5)),
