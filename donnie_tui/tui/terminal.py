@@ -25,6 +25,7 @@ from textual.filter import LineFilter
 from textual.geometry import Offset, Size
 from textual.message import Message
 from textual.screen import Screen
+from textual.timer import Timer, TimerCallback
 from textual.widgets import Input, TextArea
 
 from donnie_tui.settings.settings import Settings
@@ -127,6 +128,22 @@ class TerminalApp(App[int], inherit_bindings=False):
         self.stylesheet.set_variables(self._read_with)
         self._filters.append(PrintableFilter())
         self._painted = diff_output(self.console)
+
+    def set_timer(
+        self,
+        delay: float,
+        callback: TimerCallback | None = None,
+        *,
+        name: str | None = None,
+        pause: bool = False,
+    ) -> Timer:
+        """As Textual's, but the call comes even if the computer was too busy to begin the timer in time.
+
+        Textual then skips a timer to its next time, which one that has only one time never reaches.
+        """
+        timer = super().set_timer(delay, callback, name=name, pause=pause)
+        timer._skip = False
+        return timer
 
     # --- the looks
 

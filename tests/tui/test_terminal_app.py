@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from contextlib import contextmanager
+from itertools import count
 from threading import Event
 from types import ModuleType
 from types import SimpleNamespace as Part
@@ -12,6 +13,7 @@ from typing import Any
 import pytest
 from rich.segment import Segment
 from rich.style import Style
+from textual import timer as timer_module
 from textual.app import App
 from textual.color import Color
 from textual.events import Key, Resize
@@ -367,3 +369,19 @@ def test_the_size_of_the_terminal_is_asked_where_it_does_not_report_it(
     driver: object, size: Size | None
 ) -> None:
     assert terminal._terminal_size(driver) == size
+
+
+@pytest.mark.parametrize("interval", [1e-9, 0.02, 0.5])
+async def test_a_timer_comes_also_if_the_computer_was_busy_when_it_began(
+    interval: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The clock moves on by a second at each look, as if the process had to wait that long."""
+    app = TerminalApp(Settings())
+    async with app.run_test() as pilot:
+        came = Event()
+        monkeypatch.setattr(timer_module._time, "get_time", count(0.0, 1.0).__next__)
+        app.set_timer(interval, came.set)
+        for _ in range(20):
+            await pilot.pause(0.01)
+
+        assert came.is_set()

@@ -336,7 +336,7 @@ class MainScreen(Screen[None]):
             self.hold_nothing()
             self._holding = ExitStack()
             self._holding.enter_context(self.app.batch_update())
-            self.set_timer(LONGEST_HELD, self.hold_nothing)
+            self.app.set_timer(LONGEST_HELD, self.hold_nothing)
 
     def hold_nothing(self) -> None:
         """Stop holding, and paint everything."""

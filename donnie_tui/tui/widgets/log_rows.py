@@ -98,7 +98,7 @@ class LogRows(TextRows):
     def _wait(self, seconds: float, do: Callable[[], None]) -> None:
         """Call ``do`` so many seconds after the page is painted, which may be late on a busy machine."""
         self._give_up_waiting()
-        self._waiting = self.set_timer(seconds, do, pause=True)
+        self._waiting = self.app.set_timer(seconds, do, pause=True)
         self.call_after_refresh(self._waiting.resume)
 
     def _give_up_waiting(self) -> None:
