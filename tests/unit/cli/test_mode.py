@@ -108,10 +108,10 @@ def test_a_number_of_an_option_has_limits_and_at_most_nine_digits(typed: str, nu
     assert bad.value.sentence == f"{typed} is not a port; a port is a number from 1 to 65535."
 
 
-def test_a_wrong_number_is_shown_up_to_its_twentieth_character() -> None:
+def test_of_a_wrong_number_forty_characters_are_quoted() -> None:
     with pytest.raises(Unusable) as bad:
-        number_in(Words(), "serve-bad-sessions", "x" * 21, range(1, 101))
-    assert bad.value.sentence == f"{'x' * 20} is not a number of pages; 1 to 100 are possible."
+        number_in(Words(), "serve-bad-sessions", "x" * 41, range(1, 101))
+    assert bad.value.sentence == f"{'x' * 39}… is not a number of pages; 1 to 100 are possible."
 
 
 def test_each_page_is_started_with_the_options_of_its_server(

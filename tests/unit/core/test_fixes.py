@@ -81,6 +81,7 @@ FIX_IS_A_BEGINNING = (
         "LOOP 3 TIMES FW 1 END LOOP",
         "VAR #x = 2",
         "VAR a =\u0338 3",
+        "VAR a a != 3",
     ),
     *("END REPET\nFW 3", "say Good morning"),
 )
