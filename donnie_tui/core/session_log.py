@@ -182,6 +182,11 @@ CODE_OF_SIGN = {
     "}": "sign-closing-brace",
     "|": "sign-bar",
     "~": "sign-tilde",
+    "…": "sign-ellipsis",
+    "¿": "sign-opening-question",
+    "¡": "sign-opening-exclamation",
+    "«": "sign-opening-angle-quote",
+    "»": "sign-closing-angle-quote",
 }
 """The codes of the names of signs: a screen reader may leave a lone sign out, so sentences name it."""
 
