@@ -109,7 +109,7 @@ _OTHER_COMMENT_MARKS = ("//", "#")
 _OTHER_COMMENT = r"(?:(?<![^\r\n])(?://|#)|(?<=\s)(?://|#)(?!\S))[^\r\n]*"
 
 _QUOTES = "\u201c\u201d\u201e\u201f"
-_OTHER_STRINGS = rf"|[{_QUOTES}][^{_QUOTES}]*[{_QUOTES}]|\u2018[^\u2018\u2019\r\n]*\u2019"
+_OTHER_STRINGS = rf"|[{_QUOTES}][^{_QUOTES}]*[{_QUOTES}]|\u2018[^\u2018\u2019\r\n]*\u2019|«[^«»\r\n]*»"
 _WHOLE_COMMENT = COMMENT_MARK + r"[^\r\n]*"
 _BETWEEN = rf"(?:\s|{_WHOLE_COMMENT}+)*+"
 """Possessive: a comment full of hyphens could otherwise be split into comments in millions of ways."""
@@ -436,12 +436,15 @@ class _Lexer:
 
 
 def _sign_meant(found: str) -> str:
-    """How GoDonnie writes a sign of another alphabet or of mathematics; empty for any other text.
+    """How GoDonnie writes a sign of another alphabet or of mathematics, or a text in other quotation marks.
 
-    A stroke through a sign of comparison makes it the opposite.
+    Empty for anything else. A stroke through a sign of comparison makes it the opposite.
     """
     if found in _OTHER_COMMENT_MARKS:
         return "--"
+    text = re.fullmatch(r"['\u2018«]([^'\u2018\u2019«»\"]*)['\u2019»]", found)
+    if text:
+        return f'"{text[1]}"'
     decomposed = normalize("NFD", found)
     marks = "".join(filter(combining, decomposed))
     base = decomposed.removesuffix(marks)

@@ -59,7 +59,8 @@ def hint(diagnostic: Diagnostic, words: Wording) -> str | None:
         return None
     if diagnostic.meant in _HINT_OF_SIGN:
         return words(_HINT_OF_SIGN[diagnostic.meant])
-    if not diagnostic.meant or diagnostic.meant_at is not None or diagnostic.code in ("other-end", "spoken"):
+    is_text = diagnostic.meant.startswith('"')  # a voice says no quotation marks
+    if not diagnostic.meant or diagnostic.meant_at is not None or is_text or diagnostic.code == "other-end":
         return make(diagnostic, words) if make else None
     meant = words("hint-meant", meant=diagnostic.meant)
     allowed = _hint_for_argument(diagnostic, words) if diagnostic.kind is MistakeKind.BAD_ARGUMENT else None

@@ -366,7 +366,9 @@ def test_what_was_probably_meant_is_offered_unless_the_sentence_says_it() -> Non
 def test_an_unknown_variable_may_be_a_number_in_words_or_a_text_without_quotes() -> None:
     unknown, digits = MistakeKind.UNDECLARED_VARIABLE, {"written": "FW 3"}
     number = of_kind(unknown, found="three", code="number-word", meant="3", details=digits)
-    text = of_kind(unknown, found="hello", code="spoken", meant="hello", details={"written": 'SPEAK "hello"'})
+    text = of_kind(
+        unknown, found="hello", code="spoken", meant='"hello"', details={"written": 'SPEAK "hello"'}
+    )
 
     assert (Words().mistake(number), Words().hint(number)) == ("Numbers are written in digits: FW 3.", None)
     assert Words().mistake(text) == "There is no variable hello."

@@ -307,6 +307,10 @@ def test_the_found_text_is_quoted_as_it_was_typed(source: str, found: str) -> No
 
 
 OFFERS = [
+    ("SPEAK 'hello world'", '"hello world"'),
+    ("FALAR \u2018ol\u00e1\u2019", '"ol\u00e1"'),
+    ("HABLAR \u00abhola\u00bb", '"hola"'),
+    ("SPEAK ''", '""'),
     ("FORWRAD 5", "FORWARD"),
     ("FWD 5", "FW"),
     ("WF 5", "FW"),
