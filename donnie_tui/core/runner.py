@@ -230,7 +230,8 @@ class Run:
     def _publish_error(self, diagnostic: Diagnostic, calls: tuple[int, ...] = ()) -> None:
         wording = self._stage.wording
         span, details = diagnostic.span, diagnostic.details
-        in_head = str(details.get("opener", "")) if diagnostic.kind is MistakeKind.SYNTAX else ""
+        has_opener = diagnostic.kind in (MistakeKind.SYNTAX, MistakeKind.WRONG_END)
+        opener = str(details.get("opener", "")) if has_opener else ""
         self._stage.hub.publish(
             Error(
                 diagnostic.kind.value,
@@ -242,7 +243,7 @@ class Run:
                 calls,
                 diagnostic.code,
                 diagnostic.meant,
-                in_head or keywords.topic_at(self._source_line(span.line), span.column),
+                opener or keywords.topic_at(self._source_line(span.line), span.column),
                 int(details.get("line", 0)),
             )
         )

@@ -191,6 +191,21 @@ def test_a_mistake_that_was_corrected_is_still_explained_with_its_line(open_scri
     assert script.ctx.program.place == 2
 
 
+@pytest.mark.parametrize(
+    ("text", "example"),
+    [
+        ("IF 1 == 1 THEN\nEND WHILE", "IF DISTANCE F > 3 THEN FW 1 ELSE TR 90 END IF."),
+        ("FW 1\nEND WHILE", "WHILE DISTANCE F > 3 DO FW 1 END WHILE."),
+    ],
+)
+def test_a_wrong_end_is_explained_by_an_example_of_the_open_block(
+    open_script: OpenScript, text: str, example: str
+) -> None:
+    script = open_script(*text.split("\n"))
+
+    assert f"Example: {example}" in script.answers_to("RUN", "EXPLAIN")
+
+
 def test_looking_back_at_a_run_ends_at_its_start_and_a_step_goes_forward_again(
     open_script: OpenScript,
 ) -> None:
