@@ -254,9 +254,9 @@ def _hint_for_variable(diagnostic: Diagnostic, words: Wording) -> str | None:
     return words("hint-declare", var=_spelled("VAR", words), name=_name(diagnostic))
 
 
-def _hint_for_declared(diagnostic: Diagnostic, words: Wording) -> str | None:
+def _hint_for_declared(diagnostic: Diagnostic, words: Wording) -> str:
     is_variable = diagnostic.details.get("what") == "variable"
-    return words("hint-change-it", **_values(diagnostic, words)) if is_variable else None
+    return words("hint-change-it" if is_variable else "hint-reserved-word", **_values(diagnostic, words))
 
 
 def _hint_for_belt(_: Diagnostic, words: Wording) -> str:
@@ -366,6 +366,7 @@ _HINT_IS_ADVICE = {
     MistakeKind.BAD_ARGUMENT.value,
     MistakeKind.MISSING_END.value,
     MistakeKind.WRONG_END.value,
+    MistakeKind.ALREADY_DECLARED.value,
 }
 """Kinds whose hint is better than the general advice."""
 _TOPIC_OF = {

@@ -191,6 +191,13 @@ def test_a_mistake_that_was_corrected_is_still_explained_with_its_line(open_scri
     assert script.ctx.program.place == 2
 
 
+def test_a_second_procedure_of_a_name_is_explained_without_a_variable(open_script: OpenScript) -> None:
+    script = open_script(*("PROCEDURE P DO", "FW 1", "END PROCEDURE") * 2)
+
+    script.answers_to("RUN")
+    assert script.answers_to("EXPLAIN")[:2] == ["This name is taken already.", "Choose another name."]
+
+
 @pytest.mark.parametrize(
     ("text", "example"),
     [

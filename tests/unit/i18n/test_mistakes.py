@@ -132,7 +132,11 @@ MEANT = [
         "a exists already, from line 1.",
         "To change it, leave out VAR.",
     ),
-    (meaning(MistakeKind.ALREADY_DECLARED, "a", what="parameter"), "a exists already.", None),
+    (
+        meaning(MistakeKind.ALREADY_DECLARED, "a", what="parameter"),
+        "a exists already.",
+        "Choose another name.",
+    ),
     (
         meaning(MistakeKind.WRONG_ARGUMENT_COUNT, "P", name="P", wanted=1, given=3),
         "P needs 1 value, not 3.",
