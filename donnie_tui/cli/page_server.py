@@ -21,6 +21,7 @@ from importlib.util import find_spec
 from ipaddress import ip_address
 from pathlib import Path
 from string import Template
+from traceback import extract_tb
 
 from aiohttp import WSCloseCode, web
 
@@ -312,7 +313,8 @@ class PageServer:
             await page.close(code=WSCloseCode.TRY_AGAIN_LATER, message=as_reason(full))
             return page
         transport = request.transport
-        assert transport is not None  # the socket was accepted
+        if transport is None:  # the page is gone
+            return page
         _bound_output(transport)
         session = PageSession(self._command, page, self._words, limits, transport.abort)
         self._sessions.add(session)
@@ -400,14 +402,22 @@ class _Refusal(asyncio.Protocol):
 
 
 class _Faults(logging.Handler):
-    """Logs a sentence for each fault of aiohttp, instead of a traceback."""
+    """Logs a sentence for each fault of aiohttp, instead of a traceback; none if only the page is gone."""
 
     def __init__(self, report: Callable[[], object]) -> None:
         super().__init__(logging.WARNING)
         self._report = report
 
-    def emit(self, record: logging.LogRecord) -> None:  # noqa: ARG002 -- of logging
-        self._report()
+    def emit(self, record: logging.LogRecord) -> None:
+        problem = record.exc_info[1] if record.exc_info else None
+        if problem is None or not _is_of_closed_page(problem):
+            self._report()
+
+
+def _is_of_closed_page(problem: BaseException) -> bool:
+    """Whether a page was closed before its answer came; sending a file fails in several ways then."""
+    is_sending = "_sendfile" in (each.name for each in extract_tb(problem.__traceback__))
+    return isinstance(problem, ConnectionError) or is_sending
 
 
 def _logger(report: Callable[[], object]) -> logging.Logger:

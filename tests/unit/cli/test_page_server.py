@@ -7,6 +7,7 @@ import json
 import shlex
 import signal
 import socket
+import struct
 import sys
 import time
 from collections.abc import AsyncIterator, Callable
@@ -29,7 +30,7 @@ pytest.importorskip("textual_serve")
 
 from aiohttp import ClientSession, ClientWebSocketResponse, WSMsgType, WSServerHandshakeError  # noqa: E402
 
-from donnie_tui.cli.page_server import Gate, PageServer  # noqa: E402
+from donnie_tui.cli.page_server import Gate, PageServer, _logger  # noqa: E402
 from donnie_tui.cli.page_session import (  # noqa: E402
     IDLE_CODE,
     PageLimits,
@@ -286,6 +287,44 @@ async def test_what_can_not_be_read_gets_one_line_and_no_traceback(serving: Any)
         assert b" 400 " in answer.split(b"\r\n")[0]
         assert b"Traceback" not in answer
         assert len(served.log) <= 1
+
+
+@pytest.mark.parametrize("path", ["/", "/ws", "/page/page.js", "/static/js/textual.js"])
+async def test_a_page_that_is_closed_before_its_answer_comes_is_no_fault(serving: Any, path: str) -> None:
+    """A browser is closed while it loads, in both ways that a connection can end."""
+    socket_headers = (
+        "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+        "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+    )
+    async with serving() as it:
+        for reset in (struct.pack("ii", 1, 0), struct.pack("ii", 0, 0)) * 5:
+            _, writer = await asyncio.open_connection("localhost", it.port)
+            headers = f"Host: localhost:{it.port}\r\nOrigin: {it.origin}\r\nCookie: {it.cookie['Cookie']}\r\n"
+            writer.write(f"GET {path} HTTP/1.1\r\n{headers}{socket_headers}\r\n".encode())
+            writer.get_extra_info("socket").setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, reset)
+            writer.transport.abort()
+        server = it.server._runner.server
+        await until(lambda: not server.connections)
+
+        assert it.log == []
+
+
+def _sendfile() -> None:
+    """As aiohttp calls it, where the connection ends while it sends a file."""
+    raise RuntimeError("Transport is closing")
+
+
+@pytest.mark.parametrize(("fails", "faults"), [(_sendfile, 0), ({}.popitem, 1), (lambda: int("x"), 1)])
+def test_every_other_fault_gets_its_line(fails: Callable[[], object], faults: int) -> None:
+    log = list[str]()
+    logger = _logger(lambda: log.append("fault"))
+    try:
+        fails()
+    except Exception:
+        logger.exception("Unhandled exception")
+    assert len(log) == faults
+    logger.warning("without an exception")
+    assert len(log) == faults + 1
 
 
 @pytest.mark.parametrize(
