@@ -411,7 +411,7 @@ class _Parser(argparse.ArgumentParser):
         for pattern, code in _PROBLEMS:
             found = re.fullmatch(pattern, message)
             if found and code == "usage-unrecognized":
-                self._refuse_misspelt(found[1].split(maxsplit=1)[0].partition("=")[0])
+                self._refuse_misspelt(re.split(r"[ =]", found[1], maxsplit=1)[0])
             if found:
                 raise WrongUsage(code, quoted(", ".join(found.groups())))
         raise WrongUsage("usage-unrecognized", quoted(message))

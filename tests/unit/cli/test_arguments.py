@@ -302,6 +302,13 @@ def test_a_wrong_line_is_reported_with_what_is_wrong(line: str, code: str, what:
     assert (wrong.value.code, wrong.value.what, wrong.value.near) == (code, what, near)
 
 
+def test_an_empty_argument_too_many_is_no_option() -> None:
+    with pytest.raises(WrongUsage) as wrong:
+        understand(["doctor", ""], Words())
+
+    assert (wrong.value.code, wrong.value.what) == ("usage-unrecognized", "")
+
+
 @pytest.mark.parametrize(
     ("arguments", "code", "what"),
     [
