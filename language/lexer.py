@@ -428,6 +428,9 @@ class _Lexer:
         limit = {"limit": MOST_DIGITS} if kind is MistakeKind.NUMBER_TOO_LARGE else {}
         found = self._source[start:end]
         meant = _sign_meant(found) if kind is MistakeKind.UNKNOWN_CHARACTER else ""
+        around = self._source[max(0, start - 1) : start] + self._source[end : end + 1]
+        if meant.startswith('"') and re.search(r"\w", around):
+            meant = ""  # apostrophes within words: l'eau d'ici
         if kind is MistakeKind.INVALID_NAME:
             digits = len(found) - len(found.lstrip("0123456789"))
             is_word = self._folded[start + digits : end] in _single

@@ -374,6 +374,11 @@ def test_a_near_word_is_offered_and_a_far_one_is_not(source: str, meant: str) ->
     assert the_mistake(source).meant == meant
 
 
+@pytest.mark.parametrize("source", ["SPEAK l'eau d'ici", "'a'b", "a'b'", "SPEAK ' \"a\" '"])
+def test_apostrophes_within_words_are_no_quotation_marks(source: str) -> None:
+    assert not [each for each in mistakes_in(source) if each.meant.startswith('"')]
+
+
 def test_a_misspelt_pair_of_words_stands_in_one_line() -> None:
     """As a fix changes one line."""
     assert [each.span.line for each in mistakes_in("GIRRA DERECHA 90")] == [1]
