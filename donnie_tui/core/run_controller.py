@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from itertools import count
 from typing import TYPE_CHECKING
 
 from donnie_tui.core.events import (
@@ -83,6 +84,7 @@ class RunController:
         """
         self._team, self._words, self._chronicle = team, words, chronicle
         self.observer = RunObserver()
+        self._hold_numbers = count(1)
         self._has_prompt, self._can_hold = has_prompt, can_hold
         self._records: dict[str | None, RunRecord] = {}
         """By the robot's name in events."""
@@ -139,6 +141,12 @@ class RunController:
         """Whether the program is held, was described, and waits for a request."""
         record = self._record
         return record is not None and record.holds and record.state is RunState.PAUSED
+
+    @property
+    def hold_number(self) -> int:
+        """See ``RunRecord``. Another number than before is a new hold."""
+        record = self._record
+        return 0 if record is None else record.hold_number
 
     def has_ended(self, robot: str | None) -> bool:
         """Whether the latest run of that robot has published its last event."""
@@ -489,6 +497,7 @@ class RunController:
                 )
             )
             record.was_described.set()
+            record.hold_number = next(self._hold_numbers)
             record.holds = record.is_steppable
         self.observer.on_change()
 

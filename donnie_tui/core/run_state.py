@@ -150,6 +150,8 @@ class RunRecord:
         """Whether STOP ALL stopped it, whose answer is about all robots."""
         self.holds = False
         """Whether a hold was described that no request has answered."""
+        self.hold_number = 0
+        """Which hold was described last, among those of all runs; 0 before the first."""
         self.is_silent = True
         """Whether nothing was said since it began or since the last request."""
         self.is_stepped = False

@@ -127,8 +127,8 @@ class RunLoop(RunObserver):
         self._robot: str | None = None
         """The robot whose run is followed; None if the world has only one."""
         self._stopping = False
-        self._is_new_hold = False
-        """Whether the program is held at a place where the learner was not asked yet."""
+        self._asked_at = 0
+        """The number of the hold at which the learner was asked last."""
         self._was_suspended = False
         """Whether the run was stopped before Ctrl+Z."""
         self.turns_page: Callable[[], bool] = lambda: False
@@ -145,7 +145,6 @@ class RunLoop(RunObserver):
     # --- what the runs report, from any thread
 
     def on_change(self) -> None:
-        self._is_new_hold |= self._runs.is_held
         if not self._background.is_following and self._runs.is_verdict_due:
             self._console.has_news = True
         self._console.nudge()
@@ -350,10 +349,11 @@ class RunLoop(RunObserver):
 
     def _take_while_held(self) -> None:
         """Ask how the program is to continue, or perform any other command."""
-        if self._is_new_hold and self._queue and (left_out := self._queue.trim(LARGEST_BLOCK)):
+        hold = self._runs.hold_number
+        is_new, self._asked_at = hold != self._asked_at, hold
+        if is_new and self._queue and (left_out := self._queue.trim(LARGEST_BLOCK)):
             self._ctx.answer("answer-left-out", lines=left_out)  # of a program, never of an answer
-        frames = self._runs.frames if self._is_new_hold else ()
-        self._is_new_hold = False
+        frames = self._runs.frames if is_new else ()
         if frames and 0 < frames[0].line <= len(self._ctx.program.lines):
             self._ctx.program.place = frames[0].line
         typed = self._prompter.read(PROMPT)

@@ -479,16 +479,22 @@ def test_a_change_of_a_run_wakes_the_prompt_and_a_verdict_in_the_background_is_n
 ) -> None:
     it, console = prompt(), Part(has_news=False, nudge=lambda: it.did.append("nudged"))
     monkeypatch.setattr(it.loop, "_console", console)
-    monkeypatch.setattr(it.loop, "_runs", Part(is_held=False, is_verdict_due=is_due))
+    monkeypatch.setattr(it.loop, "_runs", Part(is_verdict_due=is_due))
     it.loop._background.is_following = is_following
     it.loop.on_change()
 
-    assert (it.did, console.has_news, it.loop._is_new_hold) == (["nudged"], has_news, False)
-    monkeypatch.setattr(it.loop, "_runs", Part(is_held=True, is_verdict_due=False))
-    it.loop.on_change()
-    monkeypatch.setattr(it.loop, "_runs", Part(is_held=False, is_verdict_due=False))
-    it.loop.on_change()
-    assert it.loop._is_new_hold, "until the learner is asked"
+    assert (it.did, console.has_news) == (["nudged"], has_news)
+
+
+def test_the_place_is_the_line_of_a_hold_that_is_not_announced_yet(prompt: Callable[..., Prompt]) -> None:
+    """The thread of the program may be slow: nobody has called ``on_change`` here."""
+    it = prompt("FW 1", "TR 90", "SPEAK 3")
+    it.said(lambda: it.script.answers_to("BREAK 2", "AGAIN"))
+
+    assert it.held("COPY")[0] == "Line 3: TR 90"
+    it.held("READ 1")
+    assert it.held("COPY")[0] == "Line 2: FW 1", "the learner has left the line"
+    it.held("STOP")
 
 
 def test_before_a_stop_the_last_lines_need_not_wait_and_after_it_few_are_left(
@@ -554,13 +560,11 @@ def test_of_what_a_program_printed_before_it_was_held_the_last_block_is_printed(
 ) -> None:
     it = prompt(*HELD)
     it.said(lambda: it.script.answers_to("BREAK 2", "AGAIN"))
-    it.loop._is_new_hold = True
     it.streams.queue.put([str(number) for number in range(lines)])
     said = it.held("WHERE")
 
     assert len(it.streams.queue) == 18
     assert [each for each in said if "left out" in each] == [f"{left} line was left out."] * left
-    assert not it.loop._is_new_hold
     it.streams.queue.put(["of a command"])
     it.held("WHERE")
     assert len(it.streams.queue) == 19, "only a program's lines are left out"
