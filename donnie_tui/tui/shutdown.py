@@ -129,9 +129,12 @@ class Shutdown:
         if number == signal.SIGINT:
             self._interrupt()
         elif number == BACK:
+            if self._watchdog is not None:
+                self._watchdog.back()
             self._repaint()
         elif number == REST:
-            self._session.say("suspend-impossible")
+            if self._watchdog is None or not self._watchdog.rest():
+                self._session.say("suspend-impossible")
         elif number:
             self.leave(number)
         else:
@@ -202,7 +205,7 @@ BACK: int = signal.SIGCONT if hasattr(signal, "SIGCONT") else -1
 """The signal that the process continues; other programs may have written over the screen."""
 
 REST: int = signal.SIGTSTP if hasattr(signal, "SIGTSTP") else -2
-"""The signal of Ctrl+Z in other programs; passed on where it can't suspend the process."""
+"""The signal of Ctrl+Z in other programs."""
 
 _HANGING_UP = signal.SIGHUP if hasattr(signal, "SIGHUP") else signal.SIGTERM
 """Handled as if it had come: the terminal is gone if the thread that writes to it has ended."""
@@ -234,29 +237,51 @@ class ScreenWatchdog(Watchdog):
         self._on_stuck, self._writer = on_stuck, writer
         self.answered = threading.Event()
         """Set once the screen has handled an interrupt."""
+        self._has_gone_on = 0
+        """How many signals that the process continues were expected and have not come yet."""
         self._is_leaving = False
         self._head: object = None
         self._looks = 0
         self._due = time.monotonic() + LOOK
 
-    def _rest(self, number: int, frame: FrameType | None) -> None:
-        """Stop the robot before Textual gives the terminal back and suspends the process."""
+    def _rest(self, number: int, _frame: FrameType | None) -> None:
+        """Stop the robot at once. The screen suspends the process: Textual takes locks for that, which the
+        interrupted main thread may hold."""
+        if can_suspend():
+            self.deputy.see_done(self._before_rest, LONGEST_REST)
+        self._notify(number)
+
+    def _back(self, number: int, _frame: FrameType | None) -> None:
+        self._notify(number)
+
+    # --- in the screen's thread, outside of any handler
+
+    def rest(self) -> bool:
+        """Give the terminal back and suspend the process until it is continued. False if nothing would
+        continue it."""
         if not can_suspend():
-            self._notify(number)
-            return
-        self.deputy.see_done(self._before_rest, LONGEST_REST)
-        found = self.handler_before(number)
+            return False
+        self.deputy.see_done(self._before_rest, LONGEST_REST)  # a key may have started it meanwhile
+        found = self.handler_before(REST)
         if found is not None:
-            found(number, frame)
+            found(REST, None)
         else:
             suspend()
+        self._go_on()
+        self._has_gone_on += 1
+        return True
 
-    def _back(self, number: int, frame: FrameType | None) -> None:
-        """Repaint after a suspension: Textual paints nothing if the size is unchanged."""
-        found = self.handler_before(number)
+    def back(self) -> None:
+        """Take the terminal again after a suspension, unless ``rest`` has done that."""
+        if self._has_gone_on:
+            self._has_gone_on -= 1
+        else:
+            self._go_on()
+
+    def _go_on(self) -> None:
+        found = self.handler_before(BACK)
         if found is not None:
-            found(number, frame)
-        self._notify(number)
+            found(BACK, None)
 
     # --- the thread
 

@@ -103,19 +103,30 @@ def rested(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[str]]:
     order = list[str]()
     monkeypatch.setattr(shutdown, "can_suspend", lambda: True)
     found = signal.signal(signal.SIGTSTP, lambda *_: order.append("rest"))
+    found_back = signal.signal(signal.SIGCONT, lambda *_: order.append("back"))
     yield order
     signal.signal(signal.SIGTSTP, found)
+    signal.signal(signal.SIGCONT, found_back)
 
 
-def test_control_z_suspends_the_process_after_the_robot_has_stopped(rested):
-    line = made(before_rest=lambda: rested.append("stop"))
+def test_control_z_stops_the_robot_at_once_and_suspends_the_process_in_the_screen_s_turn(rested):
+    """The handler may have interrupted the main thread while it held a lock of the output."""
+    passed = Recorder()
+    line = made(before_rest=lambda: rested.append("stop"), notify=passed)
     line.begin()
     try:
         signal.raise_signal(signal.SIGTSTP)
+        assert (rested, passed.all) == (["stop"], [signal.SIGTSTP])
+        assert line.rest()
+        assert rested == ["stop", "stop", "rest", "back"]
+        line.back()
+        assert rested.count("back") == 1, "the signal that ended the suspension"
+        signal.raise_signal(signal.SIGCONT)
+        assert rested.count("back") == 1
+        line.back()
+        assert rested.count("back") == 2, "the process was suspended in another way"
     finally:
         line.end()
-
-    assert rested == ["stop", "rest"]
 
 
 def test_control_z_without_a_shell_above_stops_no_robot_and_is_passed_to_the_screen(monkeypatch, rested):
@@ -125,6 +136,7 @@ def test_control_z_without_a_shell_above_stops_no_robot_and_is_passed_to_the_scr
     line.begin()
     try:
         signal.raise_signal(signal.SIGTSTP)
+        assert not line.rest()
     finally:
         line.end()
 
@@ -146,10 +158,12 @@ def test_control_z_suspends_although_the_main_thread_holds_the_lock_of_the_stop(
         with held:
             signal.raise_signal(signal.SIGTSTP)
         assert stopped.wait(TIMEOUT)
+        with held:
+            assert line.rest()
     finally:
         line.end()
 
-    assert rested == ["rest"]
+    assert rested == ["rest", "back"]
 
 
 # --- the session
@@ -278,7 +292,7 @@ class Begun:
 
     def _watchdog(self, **given):
         self.given = given
-        return SimpleNamespace(begin=self._begin, left=(15, 1.5))
+        return SimpleNamespace(begin=self._begin, back=lambda: None, left=(15, 1.5))
 
     def _begin(self):
         if not self.is_main_thread:
@@ -377,7 +391,9 @@ def test_each_signal_has_its_effect_on_the_screen(number, screen, done, is_watch
     """An interrupt gives up a search, else it stops the programs; then the watchdog halts no robot."""
     it, answered = Screen(**screen), threading.Event()
     if is_watched:
-        it.shutdown._watchdog = SimpleNamespace(answered=answered, left=None)
+        it.shutdown._watchdog = SimpleNamespace(
+            answered=answered, left=None, rest=lambda: False, back=lambda: None
+        )
     it.shutdown._signalled(number)
 
     assert it.done == done
