@@ -487,7 +487,7 @@ def test_a_change_of_a_run_wakes_the_prompt_and_a_verdict_in_the_background_is_n
 
 
 def test_the_place_is_the_line_of_a_hold_that_is_not_announced_yet(prompt: Callable[..., Prompt]) -> None:
-    """The thread of the program may be slow: nobody has called ``on_change`` here."""
+    """The thread of the program may be slow: ``on_change`` was not called here."""
     it = prompt("FW 1", "TR 90", "SPEAK 3")
     it.said(lambda: it.script.answers_to("BREAK 2", "AGAIN"))
 
