@@ -109,6 +109,15 @@ SHOW_CURSOR = "\x1b[?25h"
 _HARMFUL = re.compile(HARMFUL)
 
 
+def unskipped(timer: Timer) -> Timer:
+    """Make a new timer call even if the computer was too busy to begin it in time.
+
+    Textual skips a late timer to its next time, which one that has only one time never reaches.
+    """
+    timer._skip = False
+    return timer
+
+
 class TerminalApp(App[int], inherit_bindings=False):
     """The themes and the output; subclasses decide what is shown."""
 
@@ -137,13 +146,8 @@ class TerminalApp(App[int], inherit_bindings=False):
         name: str | None = None,
         pause: bool = False,
     ) -> Timer:
-        """As Textual's, but the call comes even if the computer was too busy to begin the timer in time.
-
-        Textual then skips a timer to its next time, which one that has only one time never reaches.
-        """
-        timer = super().set_timer(delay, callback, name=name, pause=pause)
-        timer._skip = False
-        return timer
+        """As Textual's, but never skipped."""
+        return unskipped(super().set_timer(delay, callback, name=name, pause=pause))
 
     # --- the looks
 

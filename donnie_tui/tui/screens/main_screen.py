@@ -20,6 +20,7 @@ from textual.screen import Screen
 from textual.widget import Widget
 from textual.widgets import Static
 
+from donnie_tui.tui.terminal import unskipped
 from donnie_tui.tui.widgets.command_line import CommandLine, Pane
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.log_rows import LogRows
@@ -336,7 +337,7 @@ class MainScreen(Screen[None]):
             self.hold_nothing()
             self._holding = ExitStack()
             self._holding.enter_context(self.app.batch_update())
-            self.app.set_timer(LONGEST_HELD, self.hold_nothing)
+            unskipped(self.set_timer(LONGEST_HELD, self.hold_nothing))
 
     def hold_nothing(self) -> None:
         """Stop holding, and paint everything."""

@@ -14,6 +14,7 @@ from typing import ClassVar
 from textual.binding import Binding, BindingType
 from textual.timer import Timer
 
+from donnie_tui.tui.terminal import unskipped
 from donnie_tui.tui.widgets.rows import TextRows
 
 REST = 0.3
@@ -98,7 +99,7 @@ class LogRows(TextRows):
     def _wait(self, seconds: float, do: Callable[[], None]) -> None:
         """Call ``do`` so many seconds after the page is painted, which may be late on a busy machine."""
         self._give_up_waiting()
-        self._waiting = self.app.set_timer(seconds, do, pause=True)
+        self._waiting = unskipped(self.set_timer(seconds, do, pause=True))
         self.call_after_refresh(self._waiting.resume)
 
     def _give_up_waiting(self) -> None:
