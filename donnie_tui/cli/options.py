@@ -410,9 +410,9 @@ class _Parser(argparse.ArgumentParser):
             raise BadOption(choice[1], choice[2].strip("'\""), choice[3].replace("'", ""))
         for pattern, code in _PROBLEMS:
             found = re.fullmatch(pattern, message)
-            if found and code == "usage-unrecognized":
-                self._refuse_misspelt(re.split(r"[ =]", found[1], maxsplit=1)[0])
             if found:
+                if code == "usage-unrecognized":
+                    self._refuse_misspelt(re.split(r"[ =]", found[1], maxsplit=1)[0])
                 raise WrongUsage(code, quoted(", ".join(found.groups())))
         raise WrongUsage("usage-unrecognized", quoted(message))
 

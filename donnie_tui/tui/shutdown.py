@@ -237,16 +237,18 @@ class ScreenWatchdog(Watchdog):
         self._on_stuck, self._writer = on_stuck, writer
         self.answered = threading.Event()
         """Set once the screen has handled an interrupt."""
-        self._has_gone_on = 0
-        """How many signals that the process continues were expected and have not come yet."""
+        self._awaited_backs = 0
+        """Suspensions after which the terminal was taken again before their signal ``BACK`` was handled."""
         self._is_leaving = False
         self._head: object = None
         self._looks = 0
         self._due = time.monotonic() + LOOK
 
     def _rest(self, number: int, _frame: FrameType | None) -> None:
-        """Stop the robot at once. The screen suspends the process: Textual takes locks for that, which the
-        interrupted main thread may hold."""
+        """Stop the robot at once, and let the screen suspend the process.
+
+        Textual takes locks for a suspension, which the interrupted main thread may hold.
+        """
         if can_suspend():
             self.deputy.see_done(self._before_rest, LONGEST_REST)
         self._notify(number)
@@ -257,8 +259,7 @@ class ScreenWatchdog(Watchdog):
     # --- in the screen's thread, outside of any handler
 
     def rest(self) -> bool:
-        """Give the terminal back and suspend the process until it is continued. False if nothing would
-        continue it."""
+        """Suspend the process until it is continued. False if nothing would continue it."""
         if not can_suspend():
             return False
         self.deputy.see_done(self._before_rest, LONGEST_REST)  # a key may have started it meanwhile
@@ -267,18 +268,18 @@ class ScreenWatchdog(Watchdog):
             found(REST, None)
         else:
             suspend()
-        self._go_on()
-        self._has_gone_on += 1
+        self._take_terminal()
+        self._awaited_backs += 1
         return True
 
     def back(self) -> None:
         """Take the terminal again after a suspension, unless ``rest`` has done that."""
-        if self._has_gone_on:
-            self._has_gone_on -= 1
+        if self._awaited_backs:
+            self._awaited_backs -= 1
         else:
-            self._go_on()
+            self._take_terminal()
 
-    def _go_on(self) -> None:
+    def _take_terminal(self) -> None:
         found = self.handler_before(BACK)
         if found is not None:
             found(BACK, None)
