@@ -40,6 +40,9 @@ MOST_EXPECTED = 4
 _SAYS_WHAT_IS_MEANT = ("missing-argument", "number-word", "short-change", "text-quotes", "filler")
 """Codes whose sentence already says what was meant."""
 
+_NAMES_NEEDED = ("missing-argument", "missing-first")
+"""Codes whose sentence says what must follow the command."""
+
 _HINT_OF_SIGN = {"--": "hint-comment", "<>": "hint-different"}
 """By the sign that was meant: what it is for, as a voice may not say it."""
 
@@ -86,8 +89,9 @@ def _plain(diagnostic: Diagnostic, words: Wording) -> str:
 
 
 def _syntax(diagnostic: Diagnostic, words: Wording) -> str:
-    if diagnostic.code == "missing-argument":
-        return _missing_argument(diagnostic, words)
+    if diagnostic.code in _NAMES_NEEDED:
+        word, expected, example = _needed(diagnostic, words)
+        return words(f"mistake-syntax-{diagnostic.code}", word=word, expected=expected, example=example)
     if diagnostic.code and words.knows(f"mistake-syntax-{diagnostic.code}"):
         return _plain(diagnostic, words)
     expected = _expected(diagnostic, words)
@@ -100,11 +104,11 @@ def _syntax(diagnostic: Diagnostic, words: Wording) -> str:
     return words("mistake-syntax-cut-off")
 
 
-def _missing_argument(diagnostic: Diagnostic, words: Wording) -> str:
+def _needed(diagnostic: Diagnostic, words: Wording) -> tuple[str, str, str]:
+    """The command, what must follow it, and an example of both."""
     word = str(diagnostic.details["word"])
     classes, example = helping.needs(word, words)
-    values = {"expected": either([_thing(each, words) for each in classes], words), "example": example}
-    return words("mistake-syntax-missing-argument", word=_spelled(word, words), **values)
+    return _spelled(word, words), either([_thing(each, words) for each in classes], words), example
 
 
 def _unknown_character(diagnostic: Diagnostic, words: Wording) -> str:
@@ -170,6 +174,12 @@ def _hint_by_code(diagnostic: Diagnostic, words: Wording) -> str | None:
     if diagnostic.code and words.knows(special):
         return words(special, **_values(diagnostic, words))
     return None
+
+
+def _hint_for_syntax(diagnostic: Diagnostic, words: Wording) -> str | None:
+    if diagnostic.code == "missing-first":
+        return words("help-example", example=_needed(diagnostic, words)[-1]) + "."
+    return _hint_by_code(diagnostic, words)
 
 
 def _hint_for_command(diagnostic: Diagnostic, words: Wording) -> str | None:
@@ -264,7 +274,7 @@ def _hint_for_belt(_: Diagnostic, words: Wording) -> str:
 
 
 _HINT_OF: dict[MistakeKind, Callable[[Diagnostic, Wording], str | None]] = {
-    MistakeKind.SYNTAX: _hint_by_code,
+    MistakeKind.SYNTAX: _hint_for_syntax,
     MistakeKind.UNKNOWN_COMMAND: _hint_for_command,
     MistakeKind.UNKNOWN_CHARACTER: _hint_for_character,
     MistakeKind.INVALID_NAME: lambda _, words: words("hint-invalid-name"),

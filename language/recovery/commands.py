@@ -89,6 +89,8 @@ _LONGEST_EVERYDAY_LINE = 40
 """Tokens that are looked at of a line that begins like an everyday one."""
 _SCALE, _RPAR = KIND["SCALE"], KIND["RPAR"]
 _BEFORE_VALUE = frozenset((SIGN, ASSIGN, COMPARATOR, _SCALE))
+_AFTER_FIRST = HEAD_ENDS | {ASSIGN}
+"""What comes after the first value or name of a command."""
 
 
 # --- where a command may begin ------------------------------------------------------------------------
@@ -417,6 +419,10 @@ def _read_unexpected(reader: TokenReader) -> None:
     if token[0] in (NAME, FRAGMENT) and not joining:
         near = nearest_keyword(token[5], reader.automaton.acceptable(), reader.language)
     code = "whole-numbers" if reader.is_decimal_comma else joining
+    if reader.before[0] in _TAKE_MORE and token[0] in _AFTER_FIRST:  # REPEAT TIMES, VAR = 5
+        code, details["word"] = "missing-first", TERMINALS[reader.before[0]]
+    elif reader.before[0] == _COLON and token[0] in HEAD_ENDS:  # PROCEDURE p: DO
+        code = "no-colon"
     expected = reader.automaton.expected()
     reader.report(MistakeKind.SYNTAX, token, code, expected, near.text if near else "", details)
     if near and not near.complete:
