@@ -153,7 +153,7 @@ def serve_clients(order: Order) -> int:
     from donnie_tui.core.events import Announced, Spoke
 
     words, arguments, output = order.words, order.invocation.arguments, order.output
-    port = number_in(words, "serve-bad-port", arguments.port, PORTS)
+    port = allowed_number(words, "serve-bad-port", arguments.port, PORTS)
     served = ServedFile(arguments.file, arguments.host, port)
     settings = replace(order.settings, world=arguments.file, served=served)
     if arguments.linear or arguments.visual:
@@ -196,9 +196,9 @@ def serve(order: Order) -> int:
     words, arguments = order.words, order.invocation.arguments
     if find_spec("textual_serve") is None:
         raise Unusable(words("serve-missing", command=_installing()))
-    port = number_in(words, "serve-bad-port", arguments.port, PORTS)
-    sessions = number_in(words, "serve-bad-sessions", arguments.sessions, SESSIONS)
-    idle = number_in(words, "serve-bad-idle", arguments.idle, IDLE_MINUTES)
+    port = allowed_number(words, "serve-bad-port", arguments.port, PORTS)
+    sessions = allowed_number(words, "serve-bad-sessions", arguments.sessions, SESSIONS)
+    idle = allowed_number(words, "serve-bad-idle", arguments.idle, IDLE_MINUTES)
     if order.settings.events == "-":
         raise Unusable(words("serve-events"))
     if order.outputs and sessions > 1:
@@ -230,7 +230,7 @@ def serve(order: Order) -> int:
     return ExitCode.DONE
 
 
-def number_in(words: Words, complaint: str, typed: str, allowed: range) -> int:
+def allowed_number(words: Words, complaint: str, typed: str, allowed: range) -> int:
     """Parse a typed number. Raises ``Unusable`` if it is not allowed."""
     number = int(typed) if typed.isdecimal() and len(typed) <= _MOST_DIGITS else -1
     if number not in allowed:

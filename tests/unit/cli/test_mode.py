@@ -10,8 +10,8 @@ import pytest
 from donnie_tui.cli import front_end
 from donnie_tui.cli.front_end import (
     ProcessEnvironment,
+    allowed_number,
     cause_of_linear,
-    number_in,
     page_command,
     process_environment,
 )
@@ -101,16 +101,16 @@ def test_each_stream_of_the_process_may_be_a_terminal(terminal: str, monkeypatch
 )
 def test_a_number_of_an_option_has_limits_and_at_most_nine_digits(typed: str, number: int | None) -> None:
     if number is not None:
-        assert number_in(Words(), "serve-bad-port", typed, range(1, 65536)) == number
+        assert allowed_number(Words(), "serve-bad-port", typed, range(1, 65536)) == number
         return
     with pytest.raises(Unusable) as bad:
-        number_in(Words(), "serve-bad-port", typed, range(1, 65536))
+        allowed_number(Words(), "serve-bad-port", typed, range(1, 65536))
     assert bad.value.sentence == f"{typed} is not a port; a port is a number from 1 to 65535."
 
 
 def test_of_a_wrong_number_forty_characters_are_quoted() -> None:
     with pytest.raises(Unusable) as bad:
-        number_in(Words(), "serve-bad-sessions", "x" * 41, range(1, 101))
+        allowed_number(Words(), "serve-bad-sessions", "x" * 41, range(1, 101))
     assert bad.value.sentence == f"{'x' * 39}… is not a number of pages; 1 to 100 are possible."
 
 
