@@ -382,8 +382,8 @@ def read_mistake_within(reader: TokenReader) -> None:
         _report_missing_value(reader)
     elif _is_reserved_as_name(reader):
         _report_reserved(reader, token)
-        reader.automaton.feed(NAME)
-        reader.at += 1
+        reader.tokens[reader.at] = (NAME, *token[1:])
+        reader.advance()
     elif _is_assigned_to_keyword(reader):
         _report_assignment(reader)
         give_up(reader)
@@ -583,7 +583,7 @@ def _is_reserved_as_name(reader: TokenReader) -> bool:
     token, before, following = reader.token, reader.before, reader.following
     if before[0] not in _BEFORE_NEW_NAME or not is_reserved(token[5]):
         return False
-    if reader.automaton.accepts(NUMBER):
+    if reader.automaton.accepts(NUMBER) or not reader.automaton.accepts(NAME):
         return False
     if following[0] == ASSIGN:
         return True
