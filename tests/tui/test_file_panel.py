@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from textual._context import active_app
 from textual.app import App
+from textual.events import Click
 from textual.pilot import Pilot
 from textual.screen import Screen
 
@@ -17,7 +18,6 @@ from donnie_tui.core.program_files import ProgramEntry, programs_in
 from donnie_tui.i18n.words import Words
 from donnie_tui.tui.screens import file_panel
 from donnie_tui.tui.screens.file_panel import FilePanel, Folder, Row, _is_same
-from donnie_tui.tui.widgets.rows import DialogKeys
 
 
 @pytest.fixture(autouse=True)
@@ -496,14 +496,16 @@ async def test_a_new_name_goes_into_a_folder_that_is_opened_and_into_the_one_abo
         assert (row.text, panel._line.value, panel._line.cursor_position) == (row.text, line, len(line))
 
 
-@pytest.mark.parametrize(("key", "done"), [("enter", "submitted"), ("tab", "completed"), ("escape", None)])
-async def test_clicks_on_the_keys_of_the_panel_do_what_they_say(
-    unshown: Callable[..., Unshown], key: str, done: str | None
-) -> None:
-    it = unshown()
-    it.panel._submit = lambda: it.done.append("submitted")  # type: ignore[method-assign]
-    it.panel.action_complete = lambda: it.done.append("completed")  # type: ignore[method-assign]
-    assert it.does(lambda: it.panel.on_dialog_keys_clicked(DialogKeys.Clicked(key))) == [done]
+@pytest.mark.parametrize(("name", "done"), [("Enter", "submitted"), ("Tab", "completed"), ("Esc", None)])
+async def test_clicks_on_the_keys_of_the_panel_do_what_they_say(name: str, done: str | None) -> None:
+    async with opened() as it:
+        keys, did = it.panel._keys, it.answers
+        it.panel._submit = lambda: did.append("submitted")  # type: ignore[method-assign]
+        it.panel.action_complete = lambda: did.append("completed")  # type: ignore[method-assign]
+        x = 1 + keys.words.index(name)
+        keys.on_click(Click(keys, x, 0, 0, 0, 1, False, False, False, x, keys.region.y))
+        await it.rest()
+        assert did == [done]
 
 
 async def test_folders_are_known_by_their_path_and_have_the_real_ones_above_them(

@@ -32,7 +32,7 @@ def click(widget: Widget, x: int, y: int = 0) -> Click:
 
 
 class Row(App[None]):
-    """A widget of a width and a height, and the messages that it posts."""
+    """A widget of a width and a height, and the messages that it posts and the keys that it presses."""
 
     def __init__(self, widget: Widget, width: int, height: int = 1) -> None:
         super().__init__()
@@ -46,7 +46,7 @@ class Row(App[None]):
     def on_key_line_clicked(self, message: KeyLine.Clicked) -> None:
         self.posted.append(message)
 
-    on_slider_moved = on_dialog_keys_clicked = on_key_line_clicked
+    on_slider_moved = on_key = on_key_line_clicked
 
     @property
     def rows(self) -> list[str]:

@@ -202,7 +202,7 @@ async def test_the_tour_gives_the_focus_back_only_if_it_has_it():
             if elsewhere is not None:
                 elsewhere.focus()
                 await pilot.pause()
-            app.main.on_tour_strip_left()
+            app.main.close_tour()
             await pilot.pause()
             assert app.focused is (elsewhere or app.main.command_line)
 

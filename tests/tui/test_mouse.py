@@ -286,6 +286,19 @@ async def test_a_click_on_a_row_of_the_keys_after_the_menu_key_does_its_command(
             await screen.until(lambda name=name: getattr(screen.main.map, name), clicked)
 
 
+async def test_a_click_on_the_words_about_enter_does_the_chosen_command_of_the_menu_key(open_screen) -> None:  # type: ignore[no-untyped-def]
+    async with open_screen("FW 1") as screen:
+        await screen.press("ctrl+k")
+        await screen.until(lambda: screen.app.screen is not screen.main, "the keys")
+        menu = screen.app.screen
+        menu.rows.read_line(next(at for at, cells in enumerate(menu.cells) if cells[1] == "COORDINATES"))
+        await screen.painted()
+        at = screen.text.splitlines()[-1].index("Enter takes")
+        await screen.pilot.click(offset=(at + 1, 23))
+        await screen.until(lambda: screen.app.screen is screen.main, "the main screen")
+        await screen.until(lambda: screen.main.map.has_rulers, "the rulers")
+
+
 async def test_the_wheel_moves_the_chosen_word_to_complete_with_its_list(open_screen) -> None:  # type: ignore[no-untyped-def]
     """The words of the first lesson, by their order on an empty line; one notch is three rows."""
     async with open_screen("") as screen:

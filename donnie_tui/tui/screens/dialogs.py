@@ -31,7 +31,6 @@ from donnie_tui.tui.widgets.command_line import InputLine
 from donnie_tui.tui.widgets.rows import (
     LOWEST,
     BottomKeys,
-    DialogKeys,
     TextRows,
     WheelRows,
     rows_always_seen,
@@ -134,14 +133,6 @@ class Question(Dialog[str | None]):
             yield self._line
         yield BottomKeys(self._keys)
 
-    def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
-        if event.key == "enter":
-            self._submit(self._line.value)
-        elif event.key == "tab":
-            self.action_write_row()
-        else:
-            self.action_go_back()
-
     def on_mount(self) -> None:
         self._line.select_all()  # what is proposed is typed over
         self._point(f"{self._asked} {self._value}".strip())
@@ -175,11 +166,8 @@ class Question(Dialog[str | None]):
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         event.stop()
-        self._submit(event.value)
-
-    def _submit(self, value: str) -> None:
         is_listed = self._list is not None and self._list.is_chosen
-        self._answer(self._list.row_text if self._list is not None and is_listed else value.strip())
+        self._answer(self._list.row_text if self._list is not None and is_listed else event.value.strip())
 
     def _answer(self, answer: str) -> None:
         wrong = self._accepts(answer) if self._accepts else None
@@ -523,12 +511,6 @@ class Chooser(Panel[str | None]):
     def on__detail_resized(self) -> None:
         self._show_detail()
 
-    def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
-        if event.key == "enter":
-            self._take(self.rows.line)
-        else:
-            self.action_go_back()
-
     def on_clickable_rows_clicked(self, event: ClickableRows.Clicked) -> None:
         """Answer the clicked row, as Enter does."""
         self._take(event.line)
@@ -576,12 +558,6 @@ class Completions(Panel[tuple[str, str]]):
         yield self.list
         if not self.is_alone and self.app.size.height >= LOWEST:
             yield BottomKeys(self._keys)
-
-    def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
-        if event.key == "enter":
-            self.action_take()
-        else:
-            self.action_leave()
 
     def on_mount(self) -> None:
         room, row = self._room, self._below.y

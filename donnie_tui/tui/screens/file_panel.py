@@ -40,7 +40,7 @@ from donnie_tui.core.wording import Wording
 from donnie_tui.process.confinement import confinement, is_allowed, part_below
 from donnie_tui.tui.screens.dialogs import LEAST_REST, Panel
 from donnie_tui.tui.widgets.command_line import InputLine
-from donnie_tui.tui.widgets.rows import BottomKeys, DialogKeys, WheelRows
+from donnie_tui.tui.widgets.rows import BottomKeys, WheelRows
 from language.source import fold_name, printable
 
 MOST_RECENT = 5
@@ -483,14 +483,6 @@ class FilePanel(Panel[str | Path | None]):
     def on_input_submitted(self, event: Input.Submitted) -> None:
         event.stop()
         self._submit()
-
-    def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
-        if event.key == "enter":
-            self._submit()
-        elif event.key == "tab":
-            self.action_complete()
-        else:
-            self.action_go_back()
 
     def on_tree_node_selected(self, event: Tree.NodeSelected[Row]) -> None:
         """Take the clicked row, as Enter does."""

@@ -167,9 +167,6 @@ class MainScreen(Screen[None]):
                 (self._before_tour or self.editor).focus()
             strip.remove()
 
-    def on_tour_strip_left(self) -> None:
-        self.close_tour()
-
     # --- the run so far
 
     def show_slider(self, steps: tuple[int, int] | None) -> None:

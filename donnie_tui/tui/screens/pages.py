@@ -20,7 +20,6 @@ from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
 from textual.geometry import Offset
-from textual.message import Message
 from textual.widgets import Static
 
 from donnie_tui.commands.declarations import BY_NAME
@@ -87,12 +86,6 @@ class Help(Panel[None]):
         room = self.fit(self._page, covers_command_line=self._COVERS_COMMAND_LINE)
         self._page.styles.height = room.height
 
-    def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
-        if event.key == "f1":
-            self.action_further()
-        else:
-            self.dismiss(None)
-
     def action_further(self) -> None:
         if self._further is None:
             self.dismiss(None)
@@ -151,13 +144,6 @@ class Tour(Help):
         self.rows.read_line(0)
         self._point(" ".join((f"{page.heading}.", *page.lines)))
 
-    def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
-        event.prevent_default()
-        if event.key == "enter":
-            self.action_turn(1)
-        else:
-            self.dismiss(None)
-
     def action_turn(self, pages: int) -> None:
         at = max(0, self._at + pages)
         if at < len(self._pages):
@@ -178,9 +164,6 @@ class TourStrip(Vertical, can_focus=True):
         Binding("enter,pagedown", "turn(1)"),
         Binding("backspace,pageup", "turn(-1)"),
     ]
-
-    class Left(Message):
-        """A click on the words about Esc."""
 
     def __init__(
         self,
@@ -225,12 +208,6 @@ class TourStrip(Vertical, can_focus=True):
 
     def on_click(self) -> None:
         self.action_turn(1)
-
-    def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
-        if event.key == "enter":
-            self.action_turn(1)
-        else:
-            self.post_message(self.Left())
 
 
 class KeyMenu(Panel[str | None]):
@@ -283,9 +260,6 @@ class KeyMenu(Panel[str | None]):
 
     def on_clickable_rows_clicked(self) -> None:
         self.dismiss(self.chosen)
-
-    def on_dialog_keys_clicked(self, event: DialogKeys.Clicked) -> None:
-        self.dismiss(self.chosen if event.key == "enter" else None)
 
     def on_mount(self) -> None:
         self._lay_out()
@@ -379,9 +353,6 @@ class KeyCapture(Dialog[str | None]):
             yield self._words
             yield _KeyLine(self._pressed)
         yield BottomKeys(self._key_words)
-
-    def on_dialog_keys_clicked(self) -> None:
-        self.dismiss(None)
 
     def on_mount(self) -> None:
         self._point(self._asked)

@@ -239,13 +239,6 @@ _KEY_NAME = re.compile(rf"\b({'|'.join(_CLICKABLE)})\b")
 class DialogKeys(Static):
     """The keys of a dialog in words. A click on the words about a key presses it."""
 
-    class Clicked(Message):
-        """The words about a key were clicked."""
-
-        def __init__(self, key: str) -> None:
-            super().__init__()
-            self.key = key
-
     def __init__(self, words: str, *, classes: str = "screen-keys") -> None:
         super().__init__(classes=classes, markup=False)
         self.say(words)
@@ -276,7 +269,7 @@ class DialogKeys(Static):
         key = _key_of(clause)
         if key:
             event.stop()
-            self.post_message(self.Clicked(key))
+            self.app.simulate_key(key)
 
 
 class BottomKeys(DialogKeys):
