@@ -275,7 +275,7 @@ def _assembled(
     team.chosen.hub.subscribe(chronicle)
     written = _written(settings, team.chosen, words, world, out, closing)
     closing.callback(team.close)  # before its files: the last event of a stopped run is written
-    audible = make_audible(settings, team.chosen, words, closing, is_linear=is_linear)
+    audible = make_audible(settings, team.chosen.hub, words, closing, is_linear=is_linear)
     outlets = Outlets(audible, BeltAnnouncer(team, words, belt_settings(settings)), written, speech_wait)
     belt_news = connect_belt(settings, team, words, closing)
     about_robot = _connect_robot(connection, settings, words, world, terminal)

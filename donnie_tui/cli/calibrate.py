@@ -23,7 +23,7 @@ from devices.wire.telemetry import Telemetry
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Input, let_sound, stopped_by_suspension
 from donnie_tui.commands.interaction import answered
-from donnie_tui.core.hub import Hub, Stream
+from donnie_tui.core.hub import Hub
 from donnie_tui.i18n.words import Unusable, as_unusable
 from donnie_tui.process.disconnection import ReaderWatch
 from donnie_tui.process.signals import LEAVING, Watchdog, end_process
@@ -261,12 +261,6 @@ def _end(_number: int, _frame: FrameType | None) -> NoReturn:
 # --- the colours of a camera
 
 
-class _Listeners(Struct, frozen=True):
-    """Listeners for the voice alone, as no robot moves."""
-
-    hub: Hub
-
-
 def _calibrate_colours(order: Order, what: str) -> int:
     """Measure each colour, then write the ranges. The exit code is 1 if there is nothing to keep."""
     if what.lower() not in COLOUR:
@@ -278,8 +272,8 @@ def _calibrate_colours(order: Order, what: str) -> int:
         # loaded here: the wheels are measured without a voice
         from donnie_tui.outlets.audible import make_audible
 
-        audience = _Listeners(Hub(lambda: 0.0, None, Stream()))
-        audible = make_audible(order.settings, audience, order.words, closing_voice)
+        hub = Hub(lambda: 0.0)  # for the voice alone, as no robot moves
+        audible = make_audible(order.settings, hub, order.words, closing_voice)
 
         def say(code: str, **values: object) -> None:
             sentence = order.words(code, **values)

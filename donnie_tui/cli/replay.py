@@ -104,12 +104,6 @@ FIXED = ("world", "robot", "seed", "belt", "record")
 """Options without effect on a recording."""
 
 
-class _Listeners(Struct, frozen=True):
-    """The listeners of a replay."""
-
-    hub: Hub
-
-
 def replay(order: Order) -> int:
     """``donnie replay``."""
     arguments, words = order.invocation.arguments, order.words
@@ -347,7 +341,7 @@ class _Player:
         of_run = Words(_first_language(recording) or order.words.language, order.words.detail)
         self._stream.subscribe(_follower(of_run))
         self._stream.subscribe(_printer(order.output, of_run, with_words=with_words))
-        self._audible = make_audible(order.settings, _Listeners(self._hub), of_run, closing)
+        self._audible = make_audible(order.settings, self._hub, of_run, closing)
         self._replay = Replay(self._timeline, self._control, order.settings.speed)
 
     def play(self) -> int:

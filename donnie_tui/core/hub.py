@@ -21,7 +21,7 @@ from collections import deque
 from collections.abc import Callable
 from enum import Enum, auto
 from math import inf
-from typing import Protocol, TypeAlias
+from typing import TypeAlias
 
 from donnie_tui.core.events import TRANSIENT, Answered, Chimed, Event, Pointed, Stamped
 
@@ -212,13 +212,6 @@ class Stream:
             import logging  # slow to load, and never needed as long as all is well
 
             logging.getLogger(__name__).exception("a listener failed")
-
-
-class HasHub(Protocol):
-    """An object that has a hub."""
-
-    @property
-    def hub(self) -> Hub: ...
 
 
 class Hub:

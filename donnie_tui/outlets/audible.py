@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
@@ -23,7 +23,7 @@ from devices.audio.channel import (
 )
 from devices.ports.audio import CuePlayer, Speaker, Urgency, Utterance
 from donnie_tui.core.events import Answered, SoundSwitched, Stamped
-from donnie_tui.core.hub import HasHub
+from donnie_tui.core.hub import Hub
 from donnie_tui.core.session_log import letter_by_letter
 from donnie_tui.core.transcript import TranscriptFilter, UnfilteredTranscript
 from donnie_tui.core.voice import Cues, Voice, VoiceScope
@@ -36,6 +36,7 @@ from language.locales import keys, languages, own_words, table
 if TYPE_CHECKING:
     from devices.audio.pronunciation import SignWords, SpokenLanguage
     from devices.audio.service import AudioService
+    from devices.audio.speech_dispatcher import SsipSpeaker
     from devices.ports.audio import AudioNotice, VoiceSettings
 
 DECIDED_FOR = {
@@ -53,19 +54,11 @@ NOTICE_FOR = {
 }
 
 
-class _Voiced(Protocol):
-    """A voice: it speaks sentences, can be waited for, and has settings."""
-
-    def wait_until_quiet(self, seconds: float) -> bool: ...
-
-    def set_voice(self, voice: VoiceSettings) -> None: ...
-
-
 def make_audible(
-    settings: Settings, session: HasHub, words: Words, closing: ExitStack, *, is_linear: bool = True
+    settings: Settings, hub: Hub, words: Words, closing: ExitStack, *, is_linear: bool = True
 ) -> Audible:
     """Subscribe the voice and the cues that are requested and possible."""
-    audible = Audible(settings, session, words, is_linear=is_linear)
+    audible = Audible(settings, hub, words, is_linear=is_linear)
     closing.callback(audible.close)
     return audible
 
@@ -76,32 +69,32 @@ class Audible:
     For the main thread, except ``is_quiet_within``, which may wait; everything else returns at once.
     """
 
-    def __init__(self, settings: Settings, session: HasHub, words: Words, *, is_linear: bool) -> None:
-        self._settings, self._session, self._words = settings, session, words
+    def __init__(self, settings: Settings, hub: Hub, words: Words, *, is_linear: bool) -> None:
+        self.settings, self._hub, self._words = settings, hub, words
         self._is_linear = is_linear
-        self._is_on = True
+        self.is_on = True
         """What SOUND said last."""
         self.hushed = 0
         """The number of hushes so far; a long sequence of sounds stops when it changes."""
         self._reporting: TranscriptFilter = UnfilteredTranscript()
-        self._unsubscribe = session.hub.subscribe(self._on_event)
+        self._unsubscribe = hub.subscribe(self._on_event)
         self._make()
 
     def _make(self) -> None:
         self._own = ExitStack()
         self._facts = DetectedEnvironment(
-            is_linear=self._is_linear, has_real_robot=self._settings.robot.startswith("serial")
+            is_linear=self._is_linear, has_real_robot=self.settings.robot.startswith("serial")
         )
-        self.choice = choose_channel(self._settings.speech, self._facts, self._settings.speak)
-        has_cues = wants_cues(self._settings, self._facts)
+        self.choice = choose_channel(self.settings.speech, self._facts, self.settings.speak)
+        has_cues = wants_cues(self.settings, self._facts)
         speaks = self.choice.channel is Channel.TTS or self.choice.speak is not SpeakPlace.HERE
         self._speakers: list[Speaker] = []
-        self._voiced: list[_Voiced] = []
+        self._voiced: list[AudioService | SsipSpeaker] = []
         self._audio = self._worker() if speaks or has_cues else None
         self._connect_voices()
         self._cue_player: CuePlayer | None = self._audio if has_cues else None
         if self._cue_player is not None:
-            self._own.callback(self._session.hub.subscribe(Cues(self._cue_player, is_on=self._is_on)))
+            self._own.callback(self._hub.subscribe(Cues(self._cue_player, is_on=self.is_on)))
         notice = NOTICE_FOR.get(self.choice.reason)
         self.notices: tuple[str, ...] = (self._words(notice),) if notice else ()
         """Sentences about requested devices that are not possible."""
@@ -120,16 +113,16 @@ class Audible:
     def _voice(self, speaker: Speaker, scope: VoiceScope) -> None:
         self._speakers.append(speaker)
         voice = Voice(
-            speaker, self._words, scope, is_on=self._is_on, transcript_filter=lambda: self._reporting
+            speaker, self._words, scope, is_on=self.is_on, transcript_filter=lambda: self._reporting
         )
-        self._own.callback(self._session.hub.subscribe(voice))
+        self._own.callback(self._hub.subscribe(voice))
 
     def _worker(self) -> AudioService:
         from devices.audio.service import AudioService, AudioSettings
 
         settings = AudioSettings(
-            voice_of(self._settings),
-            cue_volumes(self._settings),
+            voice_of(self.settings),
+            cue_volumes(self.settings),
             sounds=own_sounds(os.environ),
             languages=spoken_languages(),
         )
@@ -143,14 +136,14 @@ class Audible:
 
         address = ssip_address(os.environ)
         assert address is not None  # it was reached when the channel was chosen
-        speaker = SsipSpeaker(address, self._report, voice_of(self._settings), spoken_languages())
+        speaker = SsipSpeaker(address, self._report, voice_of(self.settings), spoken_languages())
         self._own.callback(speaker.close)
         self._voiced.append(speaker)
         return speaker
 
     def _report(self, notice: AudioNotice) -> None:
         language = name_of_language(notice.language, self._words.language) if notice.language else ""
-        self._session.hub.publish(Answered(self._words(notice.code.value, language=language)))
+        self._hub.publish(Answered(self._words(notice.code.value, language=language)))
 
     def close(self) -> None:
         """Be silent for good."""
@@ -167,24 +160,14 @@ class Audible:
         self._reporting = UnfilteredTranscript()
 
     @property
-    def settings(self) -> Settings:
-        """The current settings."""
-        return self._settings
-
-    @property
     def speaks(self) -> bool:
         """Whether answers are spoken, and not only printed."""
         return self.choice.channel is not Channel.TEXT
 
     @property
-    def is_on(self) -> bool:
-        """What SOUND said last."""
-        return self._is_on
-
-    @property
     def has_cues(self) -> bool:
         """Whether cues are audible now."""
-        return self._cue_player is not None and self._is_on and not self._is_mute
+        return self._cue_player is not None and self.is_on and not self._is_mute
 
     @property
     def why_no_cues(self) -> str:
@@ -193,14 +176,14 @@ class Audible:
             return "cues-no-device"
         if self._cue_player is not None:
             return "cues-switched-off"
-        is_missing = bool(self._settings.sound) and not self._facts.has_sound_device
+        is_missing = bool(self.settings.sound) and not self._facts.has_sound_device
         return "cues-no-device" if is_missing else "cues-silent"
 
     @property
     def echoes(self) -> bool:
         """Whether the built-in voice may speak typed keys, which it leaves to a screen reader."""
         is_own = self.choice.channel is Channel.TTS and self._facts.screen_reader is None
-        return is_own and self._is_on
+        return is_own and self.is_on
 
     def is_quiet_within(self, seconds: float) -> bool:
         """Wait until everything was said, that many seconds at most; False if that was not enough."""
@@ -225,7 +208,7 @@ class Audible:
 
     def say_printed(self, *lines: str) -> None:
         """Speak the lines that were printed before there was a voice, such as the greeting."""
-        for each in self._speakers[:1] if self.speaks and self._is_on else ():
+        for each in self._speakers[:1] if self.speaks and self.is_on else ():
             for line in lines:
                 each.say(Utterance(line, Urgency.ANSWER, self._words.language))
 
@@ -238,15 +221,15 @@ class Audible:
 
     def adjust(self, **changed: object) -> None:
         """Change settings, by the names of their fields."""
-        sources = {**self._settings.sources, **dict.fromkeys(changed, SettingSource.OPTION)}
-        self._settings = replace(self._settings, sources=sources, **changed)
+        sources = {**self.settings.sources, **dict.fromkeys(changed, SettingSource.OPTION)}
+        self.settings = replace(self.settings, sources=sources, **changed)
         if changed.keys() & _OF_THE_CHANNEL:
             self._make_anew()
         elif changed.keys() & _OF_THE_VOICE:
             for each in self._voiced:
-                each.set_voice(voice_of(self._settings))
+                each.set_voice(voice_of(self.settings))
         elif self._audio is not None:
-            self._audio.set_cue_volumes(cue_volumes(self._settings))
+            self._audio.set_cue_volumes(cue_volumes(self.settings))
 
     def move_to(self, *, is_linear: bool) -> None:
         """Close the voice before the other mode chooses its own."""
@@ -265,7 +248,7 @@ class Audible:
 
     def _on_event(self, stamped: Stamped) -> None:
         if isinstance(stamped.event, SoundSwitched):
-            self._is_on = stamped.event.on
+            self.is_on = stamped.event.on
 
 
 _OF_THE_CHANNEL = {"speech", "speak", "sound"}

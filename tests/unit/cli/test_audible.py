@@ -103,7 +103,7 @@ def test_a_missing_device_is_reported_once(
 ) -> None:
     monkeypatch.setattr(audible, "DetectedEnvironment", lambda **_: around)
     with ExitStack() as closing:
-        made = make_audible(Settings(speech=speech, sound=False), Floor().session, Words(), closing)
+        made = make_audible(Settings(speech=speech, sound=False), Floor().session.hub, Words(), closing)
 
     assert made.notices == notices
     assert made.is_quiet_within(0)
@@ -132,7 +132,7 @@ def test_a_default_voice_is_announced_with_the_word_that_changes_it(
     monkeypatch.setattr(audible, "ssip_address", lambda _: "somewhere")
     with ExitStack() as closing:
         decided = make_audible(
-            Settings(speech=speech, sound=False), Floor().session, Words(), closing
+            Settings(speech=speech, sound=False), Floor().session.hub, Words(), closing
         ).decided
 
     assert decided == sentences
@@ -146,7 +146,7 @@ def test_announcements_are_sent_to_a_running_speech_dispatcher(
     monkeypatch.setenv("SPEECHD_ADDRESS", f"unix_socket:{server.address.path}")
     floor = Floor()
     with ExitStack() as closing:
-        made = make_audible(Settings(speech="ssip", sound=False), floor.session, Words(), closing)
+        made = make_audible(Settings(speech="ssip", sound=False), floor.session.hub, Words(), closing)
         floor.session.hub.publish(Spoke("Hello."))
         assert made.is_quiet_within(10)
         floor.session.hub.publish(SoundSwitched(False))
@@ -167,7 +167,7 @@ def test_a_speech_dispatcher_keeps_the_voice_settings_that_were_not_chosen(
     monkeypatch.setenv("SPEECHD_ADDRESS", f"unix_socket:{server.address.path}")
     floor = Floor()
     with ExitStack() as closing:
-        made = make_audible(Settings(speech="ssip", sound=False), floor.session, Words(), closing)
+        made = make_audible(Settings(speech="ssip", sound=False), floor.session.hub, Words(), closing)
         for changed in ({"punctuation": "all"}, {"volume": 50}):
             made.adjust(**changed)
             floor.session.hub.publish(Spoke("x=1"))
@@ -212,7 +212,7 @@ class OneWorker:
         self.facts: list[dict[str, object]] = []
         with pytest.MonkeyPatch.context() as patch:
             self._patch(patch, around)
-            self.audible = make_audible(settings, self.floor.session, Words(language), self.closing)
+            self.audible = make_audible(settings, self.floor.session.hub, Words(language), self.closing)
 
     def _patch(self, patch: pytest.MonkeyPatch, around: KnownEnvironment) -> None:
         def environment(**given: object) -> KnownEnvironment:
@@ -524,7 +524,7 @@ def test_each_voice_says_its_part_and_silence_reaches_both(
     voices, floor = TwoVoices(monkeypatch), Floor()
     with ExitStack() as closing:
         settings = Settings(speech="ssip", speak=speak, sound=False)
-        made = make_audible(settings, floor.session, Words(), closing)
+        made = make_audible(settings, floor.session.hub, Words(), closing)
         floor.session.hub.publish(Announced("moved", "Moved."))
         floor.session.hub.publish(Spoke("Hi."))
         made.echo("x")
@@ -545,7 +545,7 @@ def test_a_lost_dispatcher_is_reported_once_with_a_remedy_that_works(
     floor, words, sentences = Floor(), Words(language), list[str]()
     floor.session.hub.subscribe(lambda stamped: sentences.extend(printed_lines(stamped, words)))
     with ExitStack() as closing:
-        made = make_audible(Settings(speech="ssip", sound=False), floor.session, words, closing)
+        made = make_audible(Settings(speech="ssip", sound=False), floor.session.hub, words, closing)
         server.kill()
         Path(server.address.path).unlink()
         until(lambda: says(floor, "Hi.") and words("ssip-lost") in sentences)
@@ -576,7 +576,7 @@ def test_the_cues_report_that_no_device_works(monkeypatch: pytest.MonkeyPatch) -
     floor, sentences = Floor(), list[str]()
     floor.session.hub.subscribe(lambda stamped: sentences.extend(printed_lines(stamped, Words())))
     with ExitStack() as closing:
-        made = make_audible(Settings(speech="off"), floor.session, Words(), closing)
+        made = make_audible(Settings(speech="off"), floor.session.hub, Words(), closing)
         assert made.has_cues
         floor.session.hub.publish(Chimed("bump"))
         until(lambda: not made.has_cues)
@@ -598,7 +598,7 @@ def test_lines_printed_earlier_are_said_by_the_voice_of_the_answers(
 ) -> None:
     voices, floor = TwoVoices(monkeypatch), Floor()
     with ExitStack() as closing:
-        made = make_audible(replace(settings, sound=False), floor.session, Words(), closing)
+        made = make_audible(replace(settings, sound=False), floor.session.hub, Words(), closing)
         if not is_on:
             floor.session.hub.publish(SoundSwitched(False))
         made.say_printed("Hi.", "Ho.")
