@@ -5,7 +5,7 @@ It keeps the last values (pose, distances, readings, belt) and does not know the
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.commands.context import Context
@@ -162,7 +162,7 @@ class Display:
         others = (each for each in self._donnie.team.sessions if each is not self._donnie.session)
         return frozenset().union(*(self.scene.move_other(each.name, each.pose) for each in others))
 
-    def move(self, poses: tuple[Pose, ...]) -> None:
+    def move(self, poses: Sequence[Pose]) -> None:
         """Move the robot through these places."""
         if poses:
             self._pose = poses[-1]
@@ -173,13 +173,13 @@ class Display:
         if batch.things is not None:
             self._place.map.update_cells(self.scene.place_things(batch.things))
         self.move(batch.poses)
-        for name, pose in batch.others:
+        for name, pose in batch.others.items():
             self._place.map.update_cells(self.scene.move_other(name, pose))
         for look in batch.looks:
             self._place.map.update_cells(self.scene.look_along(look))
         for each in batch.measured:
             self._histories.add(reading_name(each, self._words), each.value)
-        self._readings.update({(each.sensor, each.argument): each for each in batch.readings})
+        self._readings.update(batch.readings)
         self._has_belt = self._has_belt or batch.belt is not None
         self._distances = self._distances if batch.distances is None else batch.distances
         if batch.belt is not None or batch.distances is not None:

@@ -13,7 +13,7 @@ from collections import deque
 from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
-from msgspec import Struct
+from msgspec import Struct, field
 from textual.message import Message
 from textual.timer import Timer
 
@@ -68,29 +68,33 @@ class LogLine(NamedTuple):
     """Whether it repeats an earlier answer, which LAST does not count again."""
 
 
-class EventBatch(Struct, frozen=True):
+class EventBatch(Struct):
     """The events since the queue was last emptied."""
 
-    lines: tuple[LogLine, ...]
-    missed: int
+    lines: deque[LogLine] = field(default_factory=lambda: deque(maxlen=MOST_LINES))
+    missed: int = 0
     """Lines that did not fit."""
-    poses: tuple[Pose, ...]
-    readings: tuple[Read, ...]
-    """The last reading of each sensor that was read."""
-    belt: tuple[int, ...] | None
-    looks: tuple[Read | Scanned, ...] = ()
+    poses: deque[Pose] = field(default_factory=lambda: deque(maxlen=MOST_POSES))
+    readings: dict[tuple[str, str], Read] = field(default_factory=dict)
+    """The last reading of each sensor that was read, by the sensor and what it was asked."""
+    belt: tuple[int, ...] | None = None
+    looks: deque[Read | Scanned] = field(default_factory=lambda: deque(maxlen=MOST_LOOKS))
     """The rays of sensors since the robot's last move."""
-    others: tuple[tuple[str, Pose], ...] = ()
+    others: dict[str, Pose] = field(default_factory=dict)
     """Where the other robots are now."""
     things: tuple[PlacedThing, ...] | None = None
     """The things that are not at their start; None if nothing has moved since."""
     distances: Mapping[Bearing, int] | None = None
     """The current distances; None if they are unchanged."""
-    measured: tuple[Read, ...] = ()
+    measured: deque[Read] = field(default_factory=lambda: deque(maxlen=MOST_MEASURED))
     """All readings in order; of very many the newest."""
 
-
-NOTHING = EventBatch((), 0, (), (), None)
+    @property
+    def wakes(self) -> bool:
+        """Whether the screen has to show something now. Levels of the belt wait for the next event."""
+        moved = self.poses or self.others or self.things is not None
+        sensed = self.readings or self.looks or self.distances is not None
+        return bool(self.lines or moved or sensed)
 
 
 class EventsQueued(Message):
@@ -141,16 +145,7 @@ class EventQueue:
         self._pose = pose
         self._name = name
         self._lock = threading.Lock()
-        self._lines: deque[LogLine] = deque(maxlen=MOST_LINES)
-        self._missed = 0
-        self._poses: deque[Pose] = deque(maxlen=MOST_POSES)
-        self._readings: dict[tuple[str, str], Read] = {}
-        self._belt: tuple[int, ...] | None = None
-        self._measured: deque[Read] = deque(maxlen=MOST_MEASURED)
-        self._looks: deque[Read | Scanned] = deque(maxlen=MOST_LOOKS)
-        self._others: dict[str, Pose] = {}
-        self._things: tuple[PlacedThing, ...] | None = None
-        self._distances: Mapping[Bearing, int] | None = None
+        self._waiting = EventBatch()
         self._sensed: Mapping[Bearing, int] = {}
         """The distances that the screen has or will get."""
         self._errors: deque[Error] = deque(maxlen=100)
@@ -172,48 +167,43 @@ class EventQueue:
         kind, is_repeated = self._kind(stamped), isinstance(event, Answered) and event.is_repeated
         lines = tuple(LogLine(text, kind, is_repeated) for text in printed_lines(stamped, self._wording))
         with self._lock:
-            self._missed += max(0, len(self._lines) + len(lines) - MOST_LINES)
-            self._lines.extend(lines)
+            self._waiting.missed += max(0, len(self._waiting.lines) + len(lines) - MOST_LINES)
+            self._waiting.lines.extend(lines)
         self._wake(event, stamped.robot, is_chosen)
 
     def _remember(self, event: Event) -> None:
         with self._lock:
+            waiting = self._waiting
             match event:
-                case Passing(pose=pose):
-                    self._go_to(pose)
-                case Moved(pose=pose) | Turned(pose=pose) | Driven(pose=pose):
-                    self._go_to(pose)
+                case Passing(pose=pose) | Moved(pose=pose) | Turned(pose=pose) | Driven(pose=pose):
+                    waiting.poses.append(pose)
+                    waiting.looks.clear()  # the rays of the place before
                 case Read(sensor=sensor, argument=argument):
-                    self._readings[sensor, argument] = event
-                    self._measured.append(event)
-                    self._looks.append(event)
+                    waiting.readings[sensor, argument] = event
+                    waiting.measured.append(event)
+                    waiting.looks.append(event)
                 case Scanned():
-                    self._looks.append(event)
+                    waiting.looks.append(event)
                 case BeltShown(levels=levels):
-                    self._belt = levels
+                    waiting.belt = levels
                 case ThingsMoved(places=places):
-                    self._things = places
+                    waiting.things = places
                 case Sensed(distances=distances) if distances != self._sensed:
-                    self._distances = self._sensed = distances
+                    waiting.distances = self._sensed = distances
                 case Error():
                     self._errors.append(event)
                 case _:
                     pass
 
-    def _go_to(self, pose: Pose) -> None:
-        """Move the robot; the rays of the place before are dropped."""
-        self._poses.append(pose)
-        self._looks.clear()
-
     def _remember_other(self, name: str, event: Event) -> None:
         with self._lock:
             match event:
                 case Passing(pose=pose) | Moved(pose=pose) | Turned(pose=pose) | RunEnded(pose=pose):
-                    self._others[name] = pose
+                    self._waiting.others[name] = pose
                 case Driven(pose=pose) | Reset(pose=pose):
-                    self._others[name] = pose
+                    self._waiting.others[name] = pose
                 case ThingsMoved(places=places):
-                    self._things = places
+                    self._waiting.things = places
                 case _:
                     pass
 
@@ -247,16 +237,10 @@ class EventQueue:
 
     def _call(self) -> None:
         with self._lock:
-            if self._awake or not self._has_events:
+            if self._awake or not self._waiting.wakes:
                 return
             self._awake = True
         self._post(EventsQueued())
-
-    @property
-    def _has_events(self) -> bool:
-        moved = self._poses or self._others or self._things is not None
-        sensed = self._readings or self._looks or self._distances is not None
-        return bool(self._lines or moved or sensed)
 
     def _taken_errors(self) -> tuple[Error, ...]:
         with self._lock:
@@ -272,28 +256,8 @@ class EventQueue:
         """Empty the queue, in the screen's thread. The events of a run wait until its beginning is shown."""
         with self._lock:
             if self._is_beginning:
-                return NOTHING
-            readings = tuple(self._readings.values())
-            batch = EventBatch(
-                tuple(self._lines),
-                self._missed,
-                tuple(self._poses),
-                readings,
-                self._belt,
-                tuple(self._looks),
-                tuple(self._others.items()),
-                self._things,
-                self._distances,
-                tuple(self._measured),
-            )
-            self._measured.clear()
-            self._lines.clear()
-            self._poses.clear()
-            self._readings.clear()
-            self._looks.clear()
-            self._others.clear()
-            self._things = self._distances = None
-            self._missed, self._belt, self._awake = 0, None, False
+                return EventBatch()
+            batch, self._waiting, self._awake = self._waiting, EventBatch(), False
         return batch
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from types import SimpleNamespace as Part
@@ -23,7 +24,7 @@ from donnie_tui.core.session_log import AnswerLog, LineHistory
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui import controller as module
 from donnie_tui.tui.controller import EditorAssistant, ScreenController, ScreenKeyEcho, ScreenState
-from donnie_tui.tui.event_queue import CALM, FRAME, NOTHING, EventsQueued, LogLine, RunBegan
+from donnie_tui.tui.event_queue import CALM, FRAME, EventBatch, EventsQueued, LogLine, RunBegan
 from tests.timeouts import TIMEOUT
 from tests.tui.test_display import Place
 from tests.tui.test_run_view import Recorded, Timers
@@ -346,17 +347,15 @@ def test_a_key_ends_the_speech_and_is_spoken(control: Callable[..., Controlled])
     ("batch", "asks"),
     [
         ({}, False),
-        ({"others": (("bob", Pose(0, 0, 0)),)}, True),
+        ({"others": {"bob": Pose(0, 0, 0)}}, True),
         ({"things": ()}, True),
-        ({"poses": (Pose(0, 0, 0),)}, False),
+        ({"poses": deque([Pose(0, 0, 0)])}, False),
     ],
 )
 def test_distances_are_asked_for_again_where_others_or_things_have_moved(
     control: Callable[..., Controlled], batch: dict[str, Any], asks: bool
 ) -> None:
-    from msgspec.structs import replace
-
-    it, given = control(), replace(NOTHING, **batch)
+    it, given = control(), EventBatch(**batch)
     assert it.does(lambda: it.controller._receive(given)) == [
         ("display receive", given), ("polling on_event",), *([("display ask_distances",)] if asks else [])
     ]  # fmt: skip

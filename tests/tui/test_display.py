@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Iterator
 from types import SimpleNamespace as Part
 from typing import Any
 
 import pytest
-from msgspec.structs import replace
 
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.bootstrap import assemble
@@ -17,7 +17,7 @@ from donnie_tui.core.map_grid import Cell, Kind
 from donnie_tui.core.map_scene import MapScene
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.display import Display
-from donnie_tui.tui.event_queue import NOTHING
+from donnie_tui.tui.event_queue import EventBatch
 from tests.unit.commands.scripted import Script
 
 
@@ -357,9 +357,9 @@ def test_lines_of_the_log_have_the_words_of_their_kinds_but_answers_have_none(
 def test_a_batch_of_events_moves_the_robot_and_shows_what_was_read(show: Callable[..., Shown]) -> None:
     shown = show("open_floor", *PROGRAM)
     reads = tuple(Read("distance", "front", each) for each in (4, 5, 9))
-    walked = replace(
-        NOTHING, poses=(Pose(0, 1, 0), Pose(0, 2, 0)), readings=reads[-1:], measured=reads, looks=reads[-1:],
-        distances={Bearing.FRONT: 7},
+    walked = EventBatch(
+        poses=deque([Pose(0, 1, 0), Pose(0, 2, 0)]), readings={("distance", "front"): reads[-1]},
+        measured=deque(reads), looks=deque(reads[-1:]), distances={Bearing.FRONT: 7},
     )  # fmt: skip
     shown.display.receive(walked)
     shown.display.say_status()
@@ -407,7 +407,7 @@ def test_a_run_that_was_stopped_says_so_until_the_next_begins(show: Callable[...
 
 def test_marks_of_the_map_are_hidden_as_the_settings_say(show: Callable[..., Shown]) -> None:
     shown = show("open_floor", trail=False)
-    shown.display.receive(replace(NOTHING, poses=(Pose(0, 1, 0), Pose(0, 2, 0))))
+    shown.display.receive(EventBatch(poses=deque([Pose(0, 1, 0), Pose(0, 2, 0)])))
     assert shown.display.scene.kind(shown.display.scene.cell_at(0, 1)) is Kind.FREE
 
     shown.script.ctx.preferences.choose("trail", "on")
@@ -525,7 +525,7 @@ def test_the_bottom_line_is_written_only_when_its_keys_change(show: Callable[...
 def test_the_past_of_a_run_is_shown_on_the_map_for_each_robot(show: Callable[..., Shown]) -> None:
     shown = show("two_robots", "FW 3", "TR 90")
     shown.script.answers_to("AGAIN")
-    shown.display.receive(replace(NOTHING, others=(("bob", Pose(5, 30, 180)),)))
+    shown.display.receive(EventBatch(others={"bob": Pose(5, 30, 180)}))
     assert shown.display.scene.others["bob"] == shown.display.scene.cell_at(5, 30)
     timeline = shown.donnie.chronicle.timeline()
     timeline.go_to(len(timeline.events))
@@ -557,11 +557,11 @@ def test_the_belt_is_shown_from_its_first_change_on(show: Callable[..., Shown]) 
     shown = show("open_floor")
     shown.display.look()
     before = shown.place.inspected
-    shown.display.receive(replace(NOTHING, belt=(0,) * 14))
+    shown.display.receive(EventBatch(belt=(0,) * 14))
     assert len(shown.place.inspected) > len(before)
     now = shown.place.inspected
     shown.place.inspected = ()
-    shown.display.receive(replace(NOTHING, poses=(Pose(0, 1, 0),)))
+    shown.display.receive(EventBatch(poses=deque([Pose(0, 1, 0)])))
     assert shown.place.inspected == (), "a step alone is none of its lines"
     shown.display.look()
     assert shown.place.inspected == now
@@ -587,7 +587,7 @@ def test_a_chart_is_as_wide_as_the_inspector_but_for_a_column(
     shown = show("open_floor")
     shown.place.inspector.size.width = width
     reads = tuple(Read("distance", "front", at % 2) for at in range(40))
-    shown.display.receive(replace(NOTHING, measured=reads, distances={Bearing.FRONT: 1}))
+    shown.display.receive(EventBatch(measured=deque(reads), distances={Bearing.FRONT: 1}))
 
     assert max(len(each) for each in shown.place.inspected if "|" in each) == columns
 

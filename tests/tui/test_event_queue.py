@@ -1,6 +1,7 @@
 """What happens in a program's thread waits in a mailbox for the screen, which is woken once."""
 
 import threading
+from collections import deque
 from types import SimpleNamespace
 
 import pytest
@@ -39,7 +40,7 @@ from donnie_tui.tui.event_queue import (
     MOST_LOOKS,
     MOST_MEASURED,
     MOST_POSES,
-    NOTHING,
+    EventBatch,
     EventQueue,
     EventReader,
     EventsQueued,
@@ -81,7 +82,7 @@ def test_lines_wait_in_the_mailbox_and_the_screen_is_woken_once():
 
     assert [type(each) for each in posted] == [EventsQueued]
     assert [line.text for line in listener.take().lines] == ["one", "two", "three", "four"]
-    assert listener.take().lines == ()
+    assert not listener.take().lines
 
 
 def test_after_a_look_the_screen_is_woken_again():
@@ -138,7 +139,7 @@ def test_unchanged_distances_do_not_wake_the_screen():
     assert listener.take().distances == {Bearing.FRONT: 4}
 
     publish(listener, Sensed({Bearing.FRONT: 4}))
-    assert (listener.take(), len(posted)) == (NOTHING, 1)
+    assert (listener.take(), len(posted)) == (EventBatch(), 1)
 
     publish(listener, Sensed({Bearing.FRONT: 3}))
     assert (listener.take().distances, len(posted)) == ({Bearing.FRONT: 3}, 2)
@@ -148,13 +149,13 @@ def test_events_of_a_run_wait_until_its_beginning_is_shown():
     """Else the way that the robot went would be wiped away with the last one's."""
     listener, posted = queue()
     publish(listener, Answered("Saved."), RunStarted("p", "w", "d", 0, "0"), Passing(HERE))
-    assert listener.take() == NOTHING
+    assert listener.take() == EventBatch()
 
     listener.begun()
     mail = listener.take()
 
     assert [type(each) for each in posted] == [EventsQueued, RunBegan]
-    assert (mail.poses, [each.text for each in mail.lines]) == ((HERE,), ["Saved."])
+    assert ([*mail.poses], [each.text for each in mail.lines]) == ([HERE], ["Saved."])
 
 
 def test_the_end_of_a_run_brings_its_mistakes():
@@ -186,7 +187,7 @@ def test_the_end_of_another_robots_run_names_that_robot_and_has_no_mistakes_of_t
     listener.take()
     listener(Stamped(2, 0.0, RunEnded(Outcome.COMPLETED, HERE, {}, 0.0), "bob"))
     assert [type(each) for each in posted[3:]] == [RunFinished, EventsQueued], "the map shows its place"
-    assert listener.take().others == (("bob", HERE),)
+    assert listener.take().others == {"bob": HERE}
 
 
 def test_of_very_many_mistakes_readings_rays_and_places_the_newest_are_kept():
@@ -197,8 +198,8 @@ def test_of_very_many_mistakes_readings_rays_and_places_the_newest_are_kept():
     reads = [Read("distance", "front", each) for each in range(MOST_MEASURED + 1)]
     publish(listener, *(Passing(Pose(each, 0, 0)) for each in range(MOST_POSES + 1)), *reads)
     taken = listener.take()
-    assert taken.measured == tuple(reads[1:])
-    assert taken.looks == tuple(reads[-MOST_LOOKS:])
+    assert taken.measured == deque(reads[1:])
+    assert taken.looks == deque(reads[-MOST_LOOKS:])
     assert [taken.poses[0].x, len(taken.poses)] == [1, MOST_POSES]
 
 
@@ -211,29 +212,31 @@ def test_readings_are_kept_by_their_sensor_and_rays_until_the_robot_moves():
     scan = Scanned(())
     publish(listener, front, left, scan, later)
     taken = listener.take()
-    assert taken.readings == (later, left)
-    assert taken.measured == (front, left, later)
-    assert taken.looks == (front, left, scan, later)
-    assert listener.take() == NOTHING
+    assert [*taken.readings.values()] == [later, left]
+    assert taken.measured == deque([front, left, later])
+    assert taken.looks == deque([front, left, scan, later])
+    assert listener.take() == EventBatch()
     assert len(posted) == 1
 
     publish(listener, front, Moved("FW 1", 1, 1, None, HERE, True), left)
     taken = listener.take()
-    assert (taken.looks, taken.readings, taken.poses) == ((left,), (front, left), (HERE,))
+    assert [[*each] for each in (taken.looks, taken.readings.values(), taken.poses)] == [
+        [left], [front, left], [HERE]
+    ]  # fmt: skip
 
 
 @pytest.mark.parametrize(
     ("event", "field", "value"),
     [
-        (Spoke("a"), "lines", (LogLine("a", "spoke"),)),
-        (Announced("found", "A ball."), "lines", (LogLine("A ball.", "found"),)),
-        (Answered("a"), "lines", (LogLine("a", "answer"),)),
-        (Announced("moved", "I walked."), "lines", (LogLine("I walked.", "moved"),)),
-        (Answered("a", is_repeated=True), "lines", (LogLine("a", "answer", is_repeated=True),)),
-        (Passing(HERE), "poses", (HERE,)),
-        (Driven("forward", HERE), "poses", (HERE,)),
-        (Turned("TR 90", 90, 90, None, HERE, True), "poses", (HERE,)),
-        (Scanned(()), "looks", (Scanned(()),)),
+        (Spoke("a"), "lines", deque([LogLine("a", "spoke")])),
+        (Announced("found", "A ball."), "lines", deque([LogLine("A ball.", "found")])),
+        (Answered("a"), "lines", deque([LogLine("a", "answer")])),
+        (Announced("moved", "I walked."), "lines", deque([LogLine("I walked.", "moved")])),
+        (Answered("a", is_repeated=True), "lines", deque([LogLine("a", "answer", is_repeated=True)])),
+        (Passing(HERE), "poses", deque([HERE])),
+        (Driven("forward", HERE), "poses", deque([HERE])),
+        (Turned("TR 90", 90, 90, None, HERE, True), "poses", deque([HERE])),
+        (Scanned(()), "looks", deque([Scanned(())])),
         (ThingsMoved(()), "things", ()),
         (Sensed({Bearing.FRONT: 4}), "distances", {Bearing.FRONT: 4}),
     ],
@@ -245,8 +248,8 @@ def test_each_kind_of_event_wakes_the_screen_and_is_taken_once(event, field, val
 
     assert [type(each) for each in posted] == [EventsQueued]
     taken = listener.take()
-    assert taken == replace(NOTHING, **{field: value})
-    assert listener.take() == NOTHING
+    assert taken == EventBatch(**{field: value})
+    assert listener.take() == EventBatch()
 
 
 def test_levels_of_the_belt_are_shown_with_what_comes_next_and_a_pointer_is_nothing():
@@ -275,8 +278,8 @@ def test_another_robot_is_shown_at_its_place(event):
     listener(Stamped(1, 0.0, event, "bob"))
     taken = listener.take()
 
-    assert (taken.others, taken.poses, len(posted)) == ((("bob", HERE),), (), 1)
-    assert listener.take() == NOTHING
+    assert (taken.others, [*taken.poses], len(posted)) == ({"bob": HERE}, [], 1)
+    assert listener.take() == EventBatch()
     listener(Stamped(2, 0.0, ThingsMoved(()), "bob"))
     assert listener.take().things == ()
 
@@ -350,9 +353,9 @@ def test_the_log_is_written_at_once_and_then_five_times_a_second(monkeypatch):
 
     publish(it.queue, RunStarted("p", "w", "d", 0, "0"), Passing(HERE))
     it.reader.flush()
-    assert it.received[-1] == NOTHING
+    assert it.received[-1] == EventBatch()
     it.reader.begun()
-    assert it.received[-1].poses == (HERE,)
+    assert [*it.received[-1].poses] == [HERE]
     assert it.timers == []  # there is no line to write
 
 

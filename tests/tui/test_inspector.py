@@ -1,13 +1,12 @@
 """The distances in the inspector: those of the place where the robot is, whether its program asked or not."""
 
 import pytest
-from msgspec.structs import replace
 
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.core.events import Read, Sensed
 from donnie_tui.core.run_state import RunState
 from donnie_tui.i18n.words import Words
-from donnie_tui.tui.event_queue import NOTHING
+from donnie_tui.tui.event_queue import EventBatch
 from donnie_tui.tui.pane_text import (
     Histories,
     VariableChanges,
@@ -502,12 +501,12 @@ async def test_the_belt_stays_among_the_variables_once_it_has_shown_something(op
     async with open_screen(size=(120, 40)) as screen:
         display, inspector = screen.app.controller.display, screen.main.inspector
         monkeypatch.setattr(display._donnie.outlets.belt, "rows", lambda: ("Belt: ahead.",))
-        display.receive(NOTHING)
+        display.receive(EventBatch())
         assert "Belt: ahead." not in inspector.lines
         for batch in (
-            replace(NOTHING, belt=(1,) * 14),
-            NOTHING,
-            replace(NOTHING, distances={Bearing.FRONT: 4}),
+            EventBatch(belt=(1,) * 14),
+            EventBatch(),
+            EventBatch(distances={Bearing.FRONT: 4}),
         ):
             display.receive(batch)
             assert "Belt: ahead." in inspector.lines
