@@ -40,7 +40,7 @@ class Output:
         """Whether nothing can be written any more."""
         self.problem: str | None = None
         """The reason, unless the reader has just closed the pipe."""
-        self.on_broken: Callable[[], None] = _nothing
+        self.on_broken: Callable[[], None] = lambda: None
         self._is_writing, self._is_complaining = threading.RLock(), threading.RLock()
 
     def line(self, text: str) -> None:
@@ -157,10 +157,6 @@ def _throw_away(stream: TextIO) -> None:
             os.dup2(nowhere.fileno(), stream.fileno())
     except (OSError, ValueError):
         return
-
-
-def _nothing() -> None:
-    return
 
 
 class Input:

@@ -56,21 +56,21 @@ class Console:
         """Whether something was published that can't wait until the line is finished."""
         self.leaving: int | None = None
         """The signal that ends Donnie."""
-        self.stop_at_once: Callable[[], None] = _nothing
-        self.give_up: Callable[[], bool] = _never
+        self.stop_at_once: Callable[[], None] = lambda: None
+        self.give_up: Callable[[], bool] = lambda: False
         """Ends a search for a robot, which keeps the main thread from waiting here; whether there was one."""
         self._has_given_up = False
         self.last: Sequence[Task] = ()
         """Stops the robot and keeps the text, in parallel, if the main thread hangs at the end."""
-        self.has_run_away: Callable[[], bool] = _never
+        self.has_run_away: Callable[[], bool] = lambda: False
         """Whether the robot still drives after every attempt to stop it."""
-        self.before_suspending: Callable[[], object] = _nothing
+        self.before_suspending: Callable[[], object] = lambda: None
         """Stops a robot that can't be left alone, and returns once it stands."""
-        self.on_not_suspended: Callable[[], object] = _nothing
+        self.on_not_suspended: Callable[[], object] = lambda: None
         """Says that Ctrl+Z has no effect here."""
         self.on_key: Callable[[], None] | None = None
         """Called as soon as something is typed, Ctrl+C included, even if it is read much later."""
-        self.lines_wait: Callable[[], bool] = _never
+        self.lines_wait: Callable[[], bool] = lambda: False
         """Whether lines wait that are printed as soon as no line is being typed."""
         self.when_idle: Callable[[], None] | None = None
         """Called before a wait, if all that was typed is read."""
@@ -329,11 +329,3 @@ def _size() -> tuple[int, int]:
     except OSError:
         return 80, 24
     return columns or 80, rows or 24
-
-
-def _nothing() -> None:
-    return
-
-
-def _never() -> bool:
-    return False

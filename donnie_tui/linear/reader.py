@@ -76,9 +76,9 @@ class EditingReader:
     def __init__(self, console: Console, past: LineHistory) -> None:
         self._console = console
         self._past = past
-        self.complete: Callable[[str], tuple[str, ...]] = _no_words
+        self.complete: Callable[[str], tuple[str, ...]] = lambda _text: ()
         """Returns the words that the last word of a text may become."""
-        self.on_key: Callable[[KeyPress, str], None] = _nothing
+        self.on_key: Callable[[KeyPress, str], None] = lambda _key, _before: None
         """Called with each key before it is done, and with the text before the cursor."""
         self._decoder = KeyDecoder()
         self._keys: deque[KeyPress] = deque()
@@ -223,14 +223,6 @@ def _changed(line: EditLine, recall: Recall, key: KeyPress) -> str:
             return "" if found is None else line.replace(found)
         case act:
             return line.do(act)
-
-
-def _nothing(_key: KeyPress, _before: str) -> None:
-    return
-
-
-def _no_words(_text: str) -> tuple[str, ...]:
-    return ()
 
 
 def _common(words: tuple[str, ...]) -> str:
