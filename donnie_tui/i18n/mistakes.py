@@ -84,8 +84,19 @@ def _plain(diagnostic: Diagnostic, words: Wording) -> str:
     """The kind's own sentence, filled with the values of the diagnostic."""
     kind = diagnostic.kind.value
     special = f"mistake-{kind}-{diagnostic.code}"
-    code = special if diagnostic.code and words.knows(special) else f"mistake-{kind}"
+    detail, ending, other_ending = _ENDINGS.get(diagnostic.kind, ("", "", ""))
+    own = f"mistake-{kind}{ending if detail in diagnostic.details else other_ending}"
+    code = special if diagnostic.code and words.knows(special) else own
     return words(code, **_values(diagnostic, words))
+
+
+_ENDINGS = {
+    MistakeKind.BAD_ARGUMENT: ("word", "-of", ""),
+    MistakeKind.WRONG_END: ("opener", "", "-nothing-open"),
+    MistakeKind.ALREADY_DECLARED: ("first_line", "-before", ""),
+    MistakeKind.UNDECLARED_VARIABLE: ("in_procedure", "-in-procedure", ""),
+}
+"""Kinds with two sentences: a detail, and the endings of their codes with it and without it."""
 
 
 def _syntax(diagnostic: Diagnostic, words: Wording) -> str:
@@ -119,31 +130,6 @@ def _unknown_character(diagnostic: Diagnostic, words: Wording) -> str:
     return words("mistake-unknown-character", sign=_sign(found[:1] + "".join(marks), words))
 
 
-def _bad_argument(diagnostic: Diagnostic, words: Wording) -> str:
-    if diagnostic.code:
-        return _plain(diagnostic, words)
-    word = diagnostic.details.get("word")
-    code = "mistake-bad-argument-of" if word else "mistake-bad-argument"
-    return words(code, found=_found(diagnostic, words), word=_spelled(str(word or ""), words))
-
-
-def _wrong_end(diagnostic: Diagnostic, words: Wording) -> str:
-    code = "mistake-wrong-end" if "opener" in diagnostic.details else "mistake-wrong-end-nothing-open"
-    return words(code, **_values(diagnostic, words))
-
-
-def _already_declared(diagnostic: Diagnostic, words: Wording) -> str:
-    before = "-before" if "first_line" in diagnostic.details else ""
-    return words(f"mistake-already-declared{before}", **_values(diagnostic, words))
-
-
-def _undeclared_variable(diagnostic: Diagnostic, words: Wording) -> str:
-    if diagnostic.code:
-        return _plain(diagnostic, words)
-    in_procedure = "-in-procedure" if "in_procedure" in diagnostic.details else ""
-    return words(f"mistake-undeclared-variable{in_procedure}", **_values(diagnostic, words))
-
-
 def _robot(diagnostic: Diagnostic, words: Wording) -> str:
     """The sentence about what the robot can't do, by the code of its problem, else a general one."""
     code = f"problem-{diagnostic.details.get('problem', '')}"
@@ -158,10 +144,6 @@ def _robot(diagnostic: Diagnostic, words: Wording) -> str:
 _SENTENCE_OF: dict[MistakeKind, Callable[[Diagnostic, Wording], str]] = {
     MistakeKind.SYNTAX: _syntax,
     MistakeKind.UNKNOWN_CHARACTER: _unknown_character,
-    MistakeKind.BAD_ARGUMENT: _bad_argument,
-    MistakeKind.WRONG_END: _wrong_end,
-    MistakeKind.ALREADY_DECLARED: _already_declared,
-    MistakeKind.UNDECLARED_VARIABLE: _undeclared_variable,
     MistakeKind.ROBOT: _robot,
 }
 
