@@ -22,7 +22,6 @@ from __future__ import annotations
 import threading
 from collections import Counter, deque
 from collections.abc import Callable, Iterable, Sequence
-from typing import Protocol
 
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.commands.context import Context
@@ -268,25 +267,10 @@ def _is_urgent(event: object) -> bool:
     return isinstance(event, Announced) and event.code in URGENT
 
 
-class PrintTarget(Protocol):
-    """The terminal, as far as printing needs it."""
-
-    interrupted: bool
-
-    def write(self, text: str) -> None: ...
-
-    def wait(self, seconds: float) -> object:
-        """Rest; shorter if something happens."""
-
-    def now(self) -> float: ...
-
-    def rows(self) -> int: ...
-
-
 class PacedOutput:
     """Prints blocks of lines. ``paced`` is for learners; a pipe needs no rests."""
 
-    def __init__(self, target: PrintTarget, *, paced: bool) -> None:
+    def __init__(self, target: Console, *, paced: bool) -> None:
         self._target = target
         self.paced = paced
         """Whether there are rests; may be changed at any time."""
