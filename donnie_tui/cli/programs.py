@@ -35,6 +35,7 @@ from donnie_tui.core.program_files import (
     checked_path,
     decode,
     exists,
+    is_link,
     is_same_file,
     read_program,
     read_to_the_end,
@@ -313,7 +314,7 @@ def check_challenge(order: Order, name: str, files: Sequence[str]) -> int:
     _write_table(order, records)
     heading = heading_of_answer(judge.challenge.text(order.words.language).title, order.words)
     for answer, record in zip(answers, records, strict=False):
-        if _is_link(answer):  # perhaps a pupil's, to any other file
+        if is_link(answer):  # perhaps a pupil's, to any other file
             answer.unlink()
         _write(answer, f"{heading}\n{record.verdict}\n", order.words)
     solved = [each.solved for each in records]
@@ -416,7 +417,7 @@ def _answers(order: Order, pupils: Sequence[_Pupil]) -> Sequence[Path]:
     for answer in answers:
         if table is not None and is_same_file(Path(table), answer):
             raise Unusable(order.words("output-twice", option="--csv", other="--feedback", path=table))
-        if _is_link(answer):
+        if is_link(answer):
             continue
         if real_path(answer) in read:
             raise Unusable(order.words("output-is-input", option="--feedback", path=answer))
@@ -432,14 +433,6 @@ def _answers(order: Order, pupils: Sequence[_Pupil]) -> Sequence[Path]:
 
 _LONGEST_STEM = 200
 """Bytes of a label in the name of an answer; the names of files have 255."""
-
-
-def _is_link(path: Path) -> bool:
-    """False for a name that is too long to be looked for."""
-    try:
-        return path.is_symlink()
-    except OSError:
-        return False
 
 
 def _write_table(order: Order, records: Sequence[_Record]) -> None:

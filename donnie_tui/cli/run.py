@@ -32,7 +32,7 @@ from donnie_tui.cli.streams import (
     stopped_by_suspension,
 )
 from donnie_tui.core.events import Answered, Outcome, Stamped
-from donnie_tui.core.program_files import STANDARD_OUTPUT, is_same_file
+from donnie_tui.core.program_files import STANDARD_OUTPUT, is_file, is_same_file
 from donnie_tui.core.runner import LAST_WORDS, Run, RunRequest
 from donnie_tui.core.session import RunOptions
 from donnie_tui.core.transcript import printed_lines
@@ -108,16 +108,9 @@ def _files_of_world(order: Order, outputs: tuple[tuple[str, Path], ...]) -> tupl
     name = next(iter(getattr(order.invocation.arguments, "name", None) or ()), settings.world)
     if order.invocation.command == "replay" or name in worlds.names():
         return ()
-    if not any(_is_regular(path) for _, path in outputs):
+    if not any(is_file(path) for _, path in outputs):
         return ()
     return (name, *files_of(choose_world(name, order.words, settings.include_folders)))
-
-
-def _is_regular(path: Path) -> bool:
-    try:
-        return path.is_file()
-    except (OSError, ValueError):
-        return False
 
 
 _CHECK_INTERVAL = 0.5

@@ -152,7 +152,7 @@ def unquoted(name: str) -> str:
     return name.strip().strip("\"'“”")
 
 
-exists, is_folder = os.path.exists, os.path.isdir
+exists, is_folder, is_file, is_link = os.path.exists, os.path.isdir, os.path.isfile, os.path.islink
 """False for a name that is too long to be looked for, where those of ``Path`` raise ``OSError``."""
 
 
