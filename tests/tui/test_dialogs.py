@@ -443,7 +443,7 @@ TAKEN = [
     ("enter", ("one", "")),
     ("down enter", ("two", "")),
     ("down tab", ("two", "")),
-    ("escape", ("", "")),
+    ("escape", None),
     ("x", ("", "x")),
     ("space", ("", " ")),
 ]

@@ -97,7 +97,7 @@ class Question(Dialog[str | None]):
     """
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "go_back", priority=True),
+        Binding("escape", "dismiss", priority=True),
         Binding("up", "choose_row(-1)", priority=True),
         Binding("down", "choose_row(1)", priority=True),
         Binding("tab", "write_row", priority=True),
@@ -177,9 +177,6 @@ class Question(Dialog[str | None]):
             self._point(wrong)
         else:
             self.dismiss(answer)
-
-    def action_go_back(self) -> None:
-        self.dismiss(None)
 
 
 FAR = 10**6
@@ -311,7 +308,7 @@ class Chooser(Panel[str | None]):
     """Answers the value of the chosen row, None if the learner went back."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape,ctrl+q", "go_back", priority=True),
+        Binding("escape,ctrl+q", "dismiss", priority=True),
         Binding("up", "choose_row(-1)", priority=True),
         Binding("down", "choose_row(1)", priority=True),
         Binding("pageup", "choose_row(-10)", priority=True),
@@ -515,9 +512,6 @@ class Chooser(Panel[str | None]):
         """Answer the clicked row, as Enter does."""
         self._take(event.line)
 
-    def action_go_back(self) -> None:
-        self.dismiss(None)
-
 
 class _Words(OptionList, WheelRows):
     """Textual's list, with the terminal's own cursor on the row."""
@@ -535,7 +529,7 @@ class Completions(Panel[tuple[str, str]]):
     """Answers the chosen word and the letter that was typed instead, one of them; None for neither."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "leave", priority=True),
+        Binding("escape", "dismiss", priority=True),
         Binding("tab", "take", priority=True),
     ]
 
@@ -578,9 +572,6 @@ class Completions(Panel[tuple[str, str]]):
 
     def action_take(self) -> None:
         self.list.action_select()
-
-    def action_leave(self) -> None:
-        self.dismiss(("", ""))
 
     def on_key(self, event: events.Key) -> None:
         if event.is_printable and event.character:

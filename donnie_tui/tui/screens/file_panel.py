@@ -162,7 +162,7 @@ class FilePanel(Panel[str | Path | None]):
     """Answers the typed name or the chosen file; None after Esc."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape,ctrl+q", "go_back", priority=True),
+        Binding("escape,ctrl+q", "dismiss", priority=True),
         Binding("up", "choose(-1)", priority=True),
         Binding("down", "choose(1)", priority=True),
         Binding("pageup", "page(-1)", priority=True),
@@ -547,9 +547,6 @@ class FilePanel(Panel[str | Path | None]):
                 self._point(several)
             else:
                 self.dismiss(fitting.pop() if fitting else typed)
-
-    def action_go_back(self) -> None:
-        self.dismiss(None)
 
 
 def _working_folder() -> Path:

@@ -213,7 +213,7 @@ class TourStrip(Vertical, can_focus=True):
 class KeyMenu(Panel[str | None]):
     """Lists ``names``, the commands by their keys. Answers the clicked one; the application runs it."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "leave", priority=True)]
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "dismiss", priority=True)]
     AUTO_FOCUS = "#key-rows"
     READING = ("escape", "up", "down", "pageup", "pagedown", "home", "end")
     """Keys that move in the list; any other key closes it."""
@@ -298,10 +298,7 @@ class KeyMenu(Panel[str | None]):
 
     def leave(self) -> None:
         """Close the menu once it is mounted."""
-        self.call_later(self.action_leave)
-
-    def action_leave(self) -> None:
-        self.dismiss(None)
+        self.call_later(self.action_dismiss)
 
 
 def _place(key_and_name: tuple[str, str]) -> tuple[bool, bool, str]:
