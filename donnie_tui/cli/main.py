@@ -20,7 +20,6 @@ from donnie_tui.cli.options import (
     ExitCode,
     Invocation,
     Order,
-    WrongUsage,
     language_before_parsing,
     understand,
 )
@@ -34,14 +33,12 @@ from donnie_tui.settings.settings import (
     CONFINED,
     DEVICES,
     FRONT_END_SPEED,
-    BadLimitsError,
-    BadOption,
+    Refusal,
     Settings,
     SettingSource,
     limits_of,
     resolve,
 )
-from language.source import quoted
 
 if TYPE_CHECKING:
     from donnie_tui.linear.greeting import Greeting
@@ -89,13 +86,8 @@ def main(arguments: list[str], greeting: Greeting | None = None, *, joins_server
             values = {**damage.values, "path": machine_settings_file()}
             raise Unusable(words(f"machine-settings-file-{code}", **values))
         return _obey(arguments, words, start)
-    except BadLimitsError as bad:
-        complaint = words(bad.code, **bad.values)
-    except WrongUsage as wrong:
-        complaint = words(wrong.code, what=wrong.what, near=wrong.near)
-    except BadOption as bad:
-        option, value = f"--{bad.key.replace('_', '-')}", quoted(bad.value)
-        complaint = words("bad-option", option=option, value=value, wanted=bad.wanted)
+    except Refusal as refusal:
+        complaint = words(refusal.code, **refusal.values)
     except Unusable as unusable:
         *before, complaint = unusable.sentences_after(arguments)
         start.output.complaint(*before)

@@ -18,7 +18,7 @@ from msgspec import Struct
 from donnie_tui import __version__
 from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings.settings import BY_KEY, CONFINED, DEVICES, BadOption, Settings, resolve
+from donnie_tui.settings.settings import BY_KEY, CONFINED, DEVICES, BadOption, Refusal, Settings, resolve
 from language.locales import first_page, languages
 from language.source import quoted
 
@@ -189,15 +189,8 @@ CHALLENGE_ORDERS = ("check", "test", "new")
 """The words after ``donnie challenge`` that are no name of a challenge; a name starts a session."""
 
 
-class WrongUsage(Exception):
-    """Raised for a command line that can't be understood: the code of a sentence and its subject."""
-
-    def __init__(self, code: str, what: str, near: str = "") -> None:
-        """``near`` is the command or option that was probably meant."""
-        super().__init__(code)
-        self.code = code
-        self.what = what
-        self.near = near
+class WrongUsage(Refusal):
+    """A command line that can't be understood."""
 
 
 class Invocation(Struct, frozen=True):
@@ -301,7 +294,7 @@ def _refuse_second_limit(arguments: list[str]) -> None:
     """Raises ``WrongUsage`` if a second value would replace the teacher's."""
     for each in (CONFINED.option, DEVICES.option):
         if sum(given == each or given.startswith(f"{each}=") for given in arguments) > 1:
-            raise WrongUsage("usage-twice", each)
+            raise WrongUsage("usage-twice", what=each)
 
 
 def _refuse_empty(command: str, parsed: argparse.Namespace) -> None:
@@ -311,11 +304,11 @@ def _refuse_empty(command: str, parsed: argparse.Namespace) -> None:
         if value != "" and not (isinstance(value, list) and "" in value):
             continue
         if name not in own:
-            raise WrongUsage("usage-without-value", BY_KEY[name].option)
+            raise WrongUsage("usage-without-value", what=BY_KEY[name].option)
         option = own[name].names[0]
         if option.startswith("-"):
-            raise WrongUsage("usage-without-value", option)
-        raise WrongUsage("usage-missing", own[name].metavar or option)
+            raise WrongUsage("usage-without-value", what=option)
+        raise WrongUsage("usage-missing", what=own[name].metavar or option)
 
 
 def _refuse_misspelt(typed: str) -> None:
@@ -329,7 +322,7 @@ def _refuse_misspelt(typed: str) -> None:
     )
     near = nearest(typed, COMMANDS, COMMANDS) or next(one_letter, None)  # "rn" is too short to be near "run"
     if near is not None:
-        raise WrongUsage("usage-near-command", typed, near)
+        raise WrongUsage("usage-near-command", what=typed, near=near)
 
 
 def _first_word(arguments: list[str]) -> int | None:
@@ -407,14 +400,19 @@ class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         choice = re.fullmatch(r"argument --([^:]*): invalid choice: (.*) \(choose from (.*)\)", message)
         if choice:
-            raise BadOption(choice[1], choice[2].strip("'\""), choice[3].replace("'", ""))
+            raise BadOption(
+                "bad-option",
+                option=f"--{choice[1]}",
+                value=quoted(choice[2].strip("'\"")),
+                wanted=choice[3].replace("'", ""),
+            )
         for pattern, code in _PROBLEMS:
             found = re.fullmatch(pattern, message)
             if found:
                 if code == "usage-unrecognized":
                     self._refuse_misspelt(re.split(r"[ =]", found[1], maxsplit=1)[0])
-                raise WrongUsage(code, quoted(", ".join(found.groups())))
-        raise WrongUsage("usage-unrecognized", quoted(message))
+                raise WrongUsage(code, what=quoted(", ".join(found.groups())))
+        raise WrongUsage("usage-unrecognized", what=quoted(message))
 
     def _refuse_misspelt(self, option: str) -> None:
         """Raises ``WrongUsage`` if the word is nearly an option."""
@@ -423,7 +421,7 @@ class _Parser(argparse.ArgumentParser):
         options = [each for action in self._actions for each in action.option_strings if each[:2] == "--"]
         near = nearest(option, options) if option[:2] == "--" else None
         if near is not None:
-            raise WrongUsage("usage-near-option", option, near)
+            raise WrongUsage("usage-near-option", what=option, near=near)
 
 
 def _formatter(sentence: Words) -> type[argparse.HelpFormatter]:

@@ -96,7 +96,7 @@ def robot_and_file(argument: str) -> tuple[str | None, str]:
     if not (robot and equals) or exists(Path(argument)):
         return None, argument
     if not file:
-        raise WrongUsage("usage-missing", f"{robot}=FILE")
+        raise WrongUsage("usage-missing", what=f"{robot}=FILE")
     return robot, file
 
 

@@ -300,14 +300,16 @@ class Settings(Struct, frozen=True):
         return self.sources.get(name, SettingSource.DEFAULT)
 
 
-class BadOption(Exception):
-    """A value on the command line that can't be understood."""
+class Refusal(Exception):
+    """Raised so that Donnie does not start: the code of a sentence and its values."""
 
-    def __init__(self, key: str, value: str, wanted: str) -> None:
-        super().__init__(f"{key} {value}")
-        self.key = key
-        self.value = value
-        self.wanted = wanted
+    def __init__(self, code: str, **values: object) -> None:
+        super().__init__(code)
+        self.code, self.values = code, values
+
+
+class BadOption(Refusal):
+    """A value on the command line that can't be understood."""
 
 
 def resolve(
@@ -347,12 +349,8 @@ class SessionLimits(Struct, frozen=True):
     devices: tuple[str, ...] | None = None
 
 
-class BadLimitsError(Exception):
-    """Raised for unusable limits, so that Donnie must not start: the code of a sentence and its values."""
-
-    def __init__(self, code: str, **values: object) -> None:
-        super().__init__(code)
-        self.code, self.values = code, values
+class BadLimitsError(Refusal):
+    """Unusable limits."""
 
 
 def limits_of(
@@ -458,7 +456,7 @@ def _checked(given: object) -> str:
 
 def _complain(each: Key, source: SettingSource, shown_name: str, given: object) -> Notice:
     if source is SettingSource.OPTION:
-        raise BadOption(each.key, str(given), each.wanted)
+        raise BadOption("bad-option", option=each.option, value=quoted(str(given)), wanted=each.wanted)
     code = "setting-not-understood" if source is SettingSource.FILE else "variable-not-understood"
     code += "-example" if each.is_example else "-values" if each.has_named_values else ""
     return Notice(code, {"name": shown_name, "value": quoted(str(given)), "wanted": each.wanted})

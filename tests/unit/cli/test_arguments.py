@@ -76,14 +76,14 @@ def test_a_value_that_is_no_number_is_reported_with_its_option() -> None:
     with pytest.raises(WrongUsage) as wrong:
         understand(["replay", "a.rec", "--from", "x"], Words())
 
-    assert (wrong.value.code, wrong.value.what) == ("usage-no-number", "--from")
+    assert (wrong.value.code, wrong.value.values) == ("usage-no-number", {"what": "--from"})
 
 
 def test_an_unknown_value_is_reported_with_its_option_and_the_possible_values() -> None:
     with pytest.raises(BadOption) as bad:
         understand(["format", "a.gd", "--to", "fr"], Words())
 
-    assert (bad.value.key, bad.value.value, bad.value.wanted) == ("to", "fr", "en, pt, es")
+    assert bad.value.values == {"option": "--to", "value": "fr", "wanted": "en, pt, es"}
 
 
 def test_each_command_has_a_function_of_its_own() -> None:
@@ -299,14 +299,15 @@ def test_a_wrong_line_is_reported_with_what_is_wrong(line: str, code: str, what:
     with pytest.raises(WrongUsage) as wrong:
         understand(line.split(), Words())
 
-    assert (wrong.value.code, wrong.value.what, wrong.value.near) == (code, what, near)
+    values = {"what": what, "near": near} if near else {"what": what}
+    assert (wrong.value.code, wrong.value.values) == (code, values)
 
 
 def test_an_empty_argument_too_many_is_no_option() -> None:
     with pytest.raises(WrongUsage) as wrong:
         understand(["doctor", ""], Words())
 
-    assert (wrong.value.code, wrong.value.what) == ("usage-unrecognized", "")
+    assert (wrong.value.code, wrong.value.values) == ("usage-unrecognized", {"what": ""})
 
 
 @pytest.mark.parametrize(
@@ -329,7 +330,7 @@ def test_an_empty_value_as_of_a_variable_that_is_not_set_is_missing(
     with pytest.raises(WrongUsage) as wrong:
         understand(arguments, Words())
 
-    assert (wrong.value.code, wrong.value.what) == (code, what)
+    assert (wrong.value.code, wrong.value.values) == (code, {"what": what})
 
 
 def test_a_file_that_is_nearly_called_as_a_command_is_opened(

@@ -39,7 +39,7 @@ def test_a_file_may_be_named_after_its_robot(
 def test_a_robot_without_its_file_is_reported() -> None:
     with pytest.raises(WrongUsage, match="usage-missing") as wrong:
         robot_and_file("ana=")
-    assert wrong.value.what == "ana=FILE"
+    assert wrong.value.values == {"what": "ana=FILE"}
 
 
 NAMES = ("ana", "bia", "eva", "ivo", "leo", "rui")

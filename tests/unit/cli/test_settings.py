@@ -499,7 +499,8 @@ def test_each_setting_has_its_names_and_says_what_it_can_be(
     )
     with pytest.raises(BadOption) as bad:
         resolve({key: "~"}, {}, {})
-    assert (bad.value.key, bad.value.value, bad.value.wanted) == (key, "~", wanted)
+    option = f"--{key.replace('_', '-')}"
+    assert bad.value.values == {"option": option, "value": "~", "wanted": wanted}
 
 
 ONE_OF: dict[str, object] = {}
