@@ -77,7 +77,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         self.key_table = KeyTable(has_terminal=not is_page())
         self._bind(settings.keys)
         self.session = SessionHandle(
-            search, lambda: self._keyboard.waiting_text, self._state_folder / UNSAVED
+            search, lambda: self._keyboard.queue.held_text, self._state_folder / UNSAVED
         )
         self._dialogs = Dialogs(self, self.main_screen, self._release_keys)
         self._keyboard = Keyboard(
@@ -92,7 +92,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             ),
             do=self.do,
         )
-        self._keyboard.hold(typed)
+        self._keyboard.queue.hold(*typed)
         self.startup = Startup(
             self,
             self.session,
@@ -264,7 +264,8 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
 
     def keys_not_taken(self) -> list[events.Event]:
         """The keys that were typed for the next world, after this screen has closed."""
-        return [*filter(None, map(_typed_again, (*self._keyboard.give_up(), *self.messages_not_taken())))]
+        waiting = (*self._keyboard.queue.give_up(), *self.messages_not_taken())
+        return [*filter(None, map(_typed_again, waiting))]
 
     # --- messages
 

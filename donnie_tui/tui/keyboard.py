@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import asyncio
 from collections import deque
-from collections.abc import Awaitable, Callable, Iterable, Iterator
+from collections.abc import Awaitable, Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
@@ -99,24 +99,11 @@ class Keyboard:
         self._app, self._session, self._place, self._key_table = app, session, place, key_table
         self._dialogs = dialogs
         self._feed, self._must_wait, self._do = feed, must_wait, do
-        self._queue = KeyQueue(app, self._take, must_wait)
+        self.queue = KeyQueue(app, self._take, must_wait)
         self._has_warned = False
         """Whether the last key was Esc, and its answer said what Esc does."""
         self._menu: KeyMenu | None = None
         """The shown key menu, until the next key."""
-
-    @property
-    def waiting_text(self) -> str:
-        """The text of the waiting keys. Works in any thread."""
-        return self._queue.held_text
-
-    def hold(self, typed: Iterable[Event]) -> None:
-        """Handle these keys before any others, once the session is loaded."""
-        self._queue.hold(*typed)
-
-    def give_up(self) -> list[Event]:
-        """Return the waiting keys, and forget them."""
-        return self._queue.give_up()
 
     async def on_event(self, event: Event) -> None:
         """Handle an event of the application, which may be a key."""
@@ -130,8 +117,8 @@ class Keyboard:
             return
         if not is_typed or self._is_stop(event):
             await self._feed(event)
-        elif self._queue.is_holding or self._must_wait():
-            self._queue.hold(event)
+        elif self.queue.is_holding or self._must_wait():
+            self.queue.hold(event)
         else:
             await self._take(event)
 
@@ -143,7 +130,7 @@ class Keyboard:
             return
         await self._feed(event)
         if isinstance(event, Key) and not (event.is_printable and self._is_writing):
-            self._queue.follow(submits=event.key == "enter" and not isinstance(self._app.focused, TextArea))
+            self.queue.follow(submits=event.key == "enter" and not isinstance(self._app.focused, TextArea))
 
     def _closed_tour(self, event: Key) -> bool:
         """Close the tour on Esc; the next Esc may have been meant for it, too."""
@@ -184,7 +171,7 @@ class Keyboard:
 
     def release(self) -> None:
         """Handle the keys that had to wait."""
-        self._queue.do(lambda: None)
+        self.queue.do(lambda: None)
 
     def when_taken(self, command: Callable[[], None], looks: int = TAKEN_LOOKS) -> None:
         """Run ``command`` once all keys were handled, or after ``looks`` checks: some may never be."""
@@ -195,7 +182,7 @@ class Keyboard:
         if looks and (self._must_wait() or not is_read):
             self._app.set_timer(TAKEN_LOOK, lambda: self.when_taken(command, looks - 1))
         elif looks:
-            self._queue.do(command)
+            self.queue.do(command)
         else:
             command()
 
@@ -204,7 +191,7 @@ class Keyboard:
         if name in STOPS:
             self._do(name)
         else:
-            self._queue.do(lambda: self._do_in_turn(name))
+            self.queue.do(lambda: self._do_in_turn(name))
 
     def _do_in_turn(self, name: str) -> None:
         """Run a command in its turn; RUN from the command line runs the line that is typed there."""
@@ -228,7 +215,7 @@ class Keyboard:
             self._dialogs.note_gone()
         self._menu = None
         if clicked is not None:
-            self._queue.do(lambda: self._do_in_turn(clicked))
+            self.queue.do(lambda: self._do_in_turn(clicked))
 
     def _did_by_menu(self, event: Key) -> bool:
         """Handle the letter after the menu key, whether its list is shown yet or not.
@@ -242,7 +229,7 @@ class Keyboard:
         if event.key == "enter":
             name = name or menu.chosen
         menu.leave()
-        self._queue.do(lambda: self._do_in_turn(name) if name else self._report_no_key(event))
+        self.queue.do(lambda: self._do_in_turn(name) if name else self._report_no_key(event))
         return True
 
     def _report_no_key(self, event: Key) -> None:

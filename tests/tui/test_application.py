@@ -60,7 +60,7 @@ class Applied:
                 "controller", self.done, display=self.display, ctx=self.ctx, words=Words("en"), next_world="",
                 donnie=Part(session=Part(name="alice"), team=team), **parts,
             )  # fmt: skip
-        app._keyboard = Recorded("keyboard", self.done, give_up=list)
+        app._keyboard = Recorded("keyboard", self.done, queue=Part(give_up=list))
         self.choice: str | None = None
         self.asked: list[Any] = []
 
@@ -299,7 +299,7 @@ async def test_the_rest_of_a_command_runs_in_a_worker_and_then_the_screen_is_upd
 def test_keys_that_were_not_taken_are_typed_again_in_their_order(apply) -> None:
     it = apply()
     waiting = [events.Key("a", "a"), events.Focus(), events.Paste("bc")]
-    it.app._keyboard.give_up = lambda: waiting
+    it.app._keyboard.queue.give_up = lambda: waiting
     it.app.messages_not_taken = lambda: [events.Key("enter", "\r"), None]
     again = it.app.keys_not_taken()
     assert [(each.key, each.character) for each in (again[0], again[2])] == [("a", "a"), ("enter", "\r")]
@@ -319,7 +319,7 @@ def test_waiting_keys_are_released_unless_the_screen_is_gone(apply, has_screen) 
 def test_keys_wait_for_the_session_a_dialog_and_the_next_world(apply, what) -> None:
     typed = [events.Key("a", "a")]
     it, made = apply(), Unshown(Settings(plain=False), assemble=lambda: None, typed=typed)
-    assert made._keyboard.waiting_text == "a"
+    assert made._keyboard.queue.held_text == "a"
     made.session.controller = None if what == "startup" else it.app.controller
     it.app.controller.next_world = "maze" if what == "next_world" else ""
     made.startup.is_opening = what == "opening"

@@ -363,12 +363,12 @@ async def test_keys_wait_while_there_is_nothing_for_them_and_a_stop_does_not(mon
     keys.must_wait = keys.session.runs = True
     await keys.press("a", "f8", "b", "backspace", "c", "enter", "ctrl+c")
     assert keys.fed == ["f8", "ctrl+c"]
-    assert keys.keyboard.waiting_text == "ac\n"
+    assert keys.keyboard.queue.held_text == "ac\n"
     keys.must_wait = False
     keys.keyboard.release()
     await keys.app.go_on()
     assert keys.fed[2:] == ["a", "b", "backspace", "c", "enter"]
-    assert keys.keyboard.waiting_text == ""
+    assert keys.keyboard.queue.held_text == ""
 
 
 async def test_a_stop_gives_up_a_search_for_a_robot_and_does_nothing_more(monkeypatch):
@@ -380,10 +380,10 @@ async def test_a_stop_gives_up_a_search_for_a_robot_and_does_nothing_more(monkey
 
 async def test_what_was_typed_and_not_taken_is_given_back(monkeypatch):
     keys = Keys(monkeypatch)
-    keys.keyboard.hold([events.Key("a", "a"), events.Paste("bc")])
-    assert keys.keyboard.waiting_text == "abc"
-    assert [type(each) for each in keys.keyboard.give_up()] == [events.Key, events.Paste]
-    assert (keys.keyboard.waiting_text, keys.keyboard.give_up()) == ("", [])
+    keys.keyboard.queue.hold(events.Key("a", "a"), events.Paste("bc"))
+    assert keys.keyboard.queue.held_text == "abc"
+    assert [type(each) for each in keys.keyboard.queue.give_up()] == [events.Key, events.Paste]
+    assert (keys.keyboard.queue.held_text, keys.keyboard.queue.give_up()) == ("", [])
 
 
 async def test_esc_in_the_tour_closes_it_and_the_next_one_is_asked_for_again(monkeypatch):
@@ -474,7 +474,7 @@ async def test_later_keys_wait_for_a_key_that_writes_no_letter(monkeypatch, focu
     """In a line Enter posts what was typed, and takes effect once that has come."""
     keys = Keys(monkeypatch)
     keys.app.focused, followed = focused(), []
-    monkeypatch.setattr(keys.keyboard._queue, "follow", lambda *, submits: followed.append(submits))
+    monkeypatch.setattr(keys.keyboard.queue, "follow", lambda *, submits: followed.append(submits))
     await keys.keyboard.on_event(events.Key(key, {"space": " "}.get(key, key if len(key) == 1 else None)))
     await keys.keyboard.on_event(events.Paste("text"))
     assert (keys.fed, followed) == ([key, "Paste"], submits)
@@ -494,7 +494,7 @@ async def test_a_key_waits_for_the_command_before_it_whether_others_wait_or_not(
     keys.keyboard.act("save")
     await keys.keyboard.on_event(events.Key("a", "a"))
     await keys.keyboard.on_event(events.Paste("bc"))
-    assert (keys.fed, keys.keyboard.waiting_text) == ([], "abc")
+    assert (keys.fed, keys.keyboard.queue.held_text) == ([], "abc")
     await keys.app.go_on()
     assert (keys.done, keys.fed) == (["save"], ["a", "Paste"])
 
@@ -711,11 +711,11 @@ async def test_the_mouse_and_forwarded_keys_are_no_keys(monkeypatch):
     forwarded._forwarded = True
     for event in (mouse, forwarded, events.Focus()):
         await keys.keyboard.on_event(event)
-    assert (keys.fed, acted, keys.keyboard.waiting_text) == (["MouseDown", "a", "Focus"], ["acted"], "")
+    assert (keys.fed, acted, keys.keyboard.queue.held_text) == (["MouseDown", "a", "Focus"], ["acted"], "")
     keys.session.controller = None
     for event in (mouse, events.Key("b", "b")):
         await keys.keyboard.on_event(event)
-    assert (keys.fed[3:], acted, keys.keyboard.waiting_text) == (["MouseDown"], ["acted"], "b")
+    assert (keys.fed[3:], acted, keys.keyboard.queue.held_text) == (["MouseDown"], ["acted"], "b")
 
 
 def test_the_screen_is_polled_soon_and_then_more_and_more_seldom():
