@@ -120,14 +120,6 @@ SECURE = {"LESSSECURE": "1", "PAGERSECURE": "1"}
 """With these variables less, or another pager that heeds them, runs no other program and writes no file."""
 
 
-class PagerError(Exception):
-    """Why the pager shows nothing: the code of a sentence, and its values."""
-
-    def __init__(self, code: str, **values: str) -> None:
-        super().__init__(code)
-        self.code, self.values = code, values
-
-
 def print_last_lines(lines: Sequence[str]) -> None:
     """Print the end of the log before the shell's prompt, to be read again there."""
     from language.source import printable
@@ -160,15 +152,12 @@ def pager(environment: Mapping[str, str]) -> list[str] | None:
 
 
 def run_pager(command: Sequence[str], text: str) -> None:
-    """Run the pager and wait for its end. Raises ``PagerError``: it can't be run, or the disk is full."""
+    """Run the pager and wait for its end. Raises ``OSError``: it can't be run, or the disk is full."""
     import subprocess
     import tempfile
     from pathlib import Path
 
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder) / "log.txt"
-            file.write_text(text, encoding="utf-8", errors="replace")
-            subprocess.run([*command, str(file)], check=False, env={**os.environ, **SECURE})
-    except OSError as problem:
-        raise PagerError("screen-pager-failed", reason=problem.strerror or str(problem)) from None
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "log.txt"
+        file.write_text(text, encoding="utf-8", errors="replace")
+        subprocess.run([*command, str(file)], check=False, env={**os.environ, **SECURE})

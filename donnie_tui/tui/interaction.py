@@ -27,7 +27,7 @@ from donnie_tui.core.workspace import Workspace
 from donnie_tui.i18n.help import SCREEN_TOUR_PAGES, manual
 from donnie_tui.i18n.words import Words
 from donnie_tui.tui.controller import ScreenController
-from donnie_tui.tui.environment import PagerError, is_page, pager, run_pager
+from donnie_tui.tui.environment import is_page, pager, run_pager
 from donnie_tui.tui.keyboard import Dialogs
 from donnie_tui.tui.pane_text import help_lines, help_text, keys_here, tour_pages
 from donnie_tui.tui.run_view import Reminder
@@ -338,8 +338,8 @@ class ScreenInteraction:
                 run_pager(command, text)
         except SuspendNotSupported:
             self._open_page(self._words("pane-log"), text.splitlines())
-        except PagerError as problem:
-            self._controller.ctx.answer(problem.code, **problem.values)
+        except OSError as problem:
+            self._controller.ctx.answer("screen-pager-failed", reason=problem.strerror or str(problem))
 
     def show_help(self, *, is_everything: bool) -> None:
         """Show the words of the first lesson, or all words. F1 in the help opens the manual."""

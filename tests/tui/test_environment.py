@@ -237,17 +237,13 @@ def test_a_pager_reads_the_log_in_a_file_and_may_start_nothing(monkeypatch):
     assert [variables[each] for each in ("LESSSECURE", "PAGERSECURE", "KEPT")] == ["1", "1", "yes"]
 
 
-@pytest.mark.parametrize(
-    ("problem", "reason"), [(OSError(28, "No space left"), "No space left"), (OSError("odd"), "odd")]
-)
-def test_a_pager_that_fails_has_a_reason(monkeypatch, problem, reason):
+def test_a_pager_that_fails_has_a_reason(monkeypatch):
     def run(*_, **__):
-        raise problem
+        raise OSError(28, "No space left")
 
     monkeypatch.setattr("subprocess.run", run)
-    with pytest.raises(environment.PagerError) as failed:
+    with pytest.raises(OSError, match="No space left"):
         environment.run_pager(["less"], "text")
-    assert (failed.value.code, failed.value.values) == ("screen-pager-failed", {"reason": reason})
 
 
 async def test_a_pager_that_can_not_be_run_is_reported_in_a_sentence(open_screen, monkeypatch, tmp_path):

@@ -20,7 +20,6 @@ from donnie_tui.core.completion import Completion
 from donnie_tui.core.runner import RunRequest
 from donnie_tui.i18n.words import Words
 from donnie_tui.tui import interaction, run_view
-from donnie_tui.tui.environment import PagerError
 from donnie_tui.tui.interaction import ScreenInteraction
 from donnie_tui.tui.screens.dialogs import Chooser, Completions, Question
 from donnie_tui.tui.screens.file_panel import FilePanel
@@ -465,8 +464,11 @@ async def test_pages_are_opened_with_their_title_their_keys_and_their_lines():
     assert (it.dialogs[-1]._title_words, len(it.dialogs)) == (WORDS("manual-title"), 6)
 
 
-@pytest.mark.parametrize("problem", [None, PagerError("screen-pager-failed", reason="odd")])
-def test_the_log_is_read_in_the_pager_while_the_screen_is_away(monkeypatch, problem):
+@pytest.mark.parametrize(
+    ("problem", "reason"),
+    [(None, ""), (OSError(28, "No space left"), "No space left"), (OSError("odd"), "odd")],
+)
+def test_the_log_is_read_in_the_pager_while_the_screen_is_away(monkeypatch, problem, reason):
     it = Asking()
 
     def run(command: list[str], text: str) -> None:
@@ -478,7 +480,7 @@ def test_the_log_is_read_in_the_pager_while_the_screen_is_away(monkeypatch, prob
     monkeypatch.setattr(interaction, "run_pager", run)
     it.screen.show_in_pager("a\nb\n")
     ran = ["suspended", (["less"], "a\nb\n")]
-    reported = ("ctx answer", "screen-pager-failed", ("reason", "odd"))
+    reported = ("ctx answer", "screen-pager-failed", ("reason", reason))
     assert it.done == [*ran, reported if problem else "resumed"]
     assert it.dialogs == []
 
