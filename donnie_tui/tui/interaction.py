@@ -334,12 +334,14 @@ class ScreenInteraction:
         try:
             if command is None:
                 raise SuspendNotSupported
-            with self._app.suspend():
-                run_pager(command, text)
+            with self._app.suspend():  # Textual takes the screen up again only after a block without failure
+                try:
+                    run_pager(command, text)
+                except OSError as problem:
+                    reason = problem.strerror or str(problem)
+                    self._controller.ctx.answer("screen-pager-failed", reason=reason)
         except SuspendNotSupported:
             self._open_page(self._words("pane-log"), text.splitlines())
-        except OSError as problem:
-            self._controller.ctx.answer("screen-pager-failed", reason=problem.strerror or str(problem))
 
     def show_help(self, *, is_everything: bool) -> None:
         """Show the words of the first lesson, or all words. F1 in the help opens the manual."""
