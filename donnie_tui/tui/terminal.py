@@ -13,7 +13,7 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import partial
-from typing import TYPE_CHECKING, Any, Protocol, cast
+from typing import TYPE_CHECKING, Any
 
 from rich.cells import cell_len
 from rich.console import Console, RenderableType
@@ -46,27 +46,16 @@ def diff_output(console: Console) -> Painted | None:
     return Painted() if fits(console) else None
 
 
-class _Driver(Protocol):
-    """The attributes of Textual's drivers for terminals; a test guards the names."""
-
-    _mouse: bool
-
-    def _enable_mouse_support(self) -> None: ...
-
-    def _disable_mouse_support(self) -> None: ...
-
-
-def use_mouse(driver: object, *, wanted: bool) -> None:
-    """Turn mouse reports on or off; does nothing without a terminal."""
+def use_mouse(driver: Any, *, wanted: bool) -> None:
+    """Turn mouse reports on or off; does nothing without a terminal. A test guards the names."""
     if not hasattr(driver, "_enable_mouse_support"):
         return
-    terminal = cast(_Driver, driver)
-    if wanted and not terminal._mouse:
-        terminal._mouse = True
-        terminal._enable_mouse_support()
-    elif terminal._mouse and not wanted:
-        terminal._disable_mouse_support()
-        terminal._mouse = False
+    if wanted and not driver._mouse:
+        driver._mouse = True
+        driver._enable_mouse_support()
+    elif driver._mouse and not wanted:
+        driver._disable_mouse_support()
+        driver._mouse = False
 
 
 def _terminal_size(driver: Any) -> Size | None:
