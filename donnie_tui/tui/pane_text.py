@@ -214,10 +214,10 @@ def inspector_lines(
         of_variables = _variables(scopes, words)
     return (
         *of_variables,
-        *_calls(frames, words),
+        *_headed("inspector-calls", (_call(each, words) for each in frames[:20]), words),
         *(_distances(distances, words) if changes is None else _compass(distances, words)),
         *belt,
-        *_readings(readings, words),
+        *_headed("inspector-readings", (_reading(each, words) for each in readings), words),
     )
 
 
@@ -281,10 +281,14 @@ def _short(value: int) -> str:
 
 def working_lines(worked_out: Sequence[Sequence[str]], words: Wording) -> tuple[str, ...]:
     """How the expressions of the next statement are evaluated."""
-    if not worked_out:
-        return ()
     rows = (text if not at else f"= {text}" for texts in worked_out for at, text in enumerate(texts))
-    return (words("inspector-worked-out"), *rows)
+    return _headed("inspector-worked-out", rows, words)
+
+
+def _headed(code: str, lines: Iterable[str], words: Wording) -> tuple[str, ...]:
+    """Lines below their heading; nothing if there are none."""
+    shown = tuple(lines)
+    return (words(code), *shown) if shown else ()
 
 
 def working_in_a_row(worked_out: Sequence[Sequence[str]]) -> tuple[str, ...]:
@@ -296,12 +300,6 @@ def working_in_a_row(worked_out: Sequence[Sequence[str]]) -> tuple[str, ...]:
     return tuple(dict.fromkeys((whole, results, "; ".join(f"= {texts[-1]}" for texts in worked_out))))
 
 
-def _calls(frames: Sequence[Frame], words: Wording) -> tuple[str, ...]:
-    if not frames:
-        return ()
-    return (words("inspector-calls"), *(_call(frame, words) for frame in frames[:20]))
-
-
 def _call(frame: Frame, words: Wording) -> str:
     if not frame.procedure:
         return words("inspector-main", line=frame.line)
@@ -310,24 +308,16 @@ def _call(frame: Frame, words: Wording) -> str:
 
 def _distances(distances: Mapping[Bearing, int], words: Wording) -> tuple[str, ...]:
     """The distances, clockwise from the front."""
-    if not distances:
-        return ()
     lines = (
         words("inspector-reading", what=_where(bearing.words, words), value=distances[bearing])
         for bearing in sorted(distances, key=lambda each: each.value)
     )
-    return (words("inspector-distances"), *lines)
+    return _headed("inspector-distances", lines, words)
 
 
 def _where(bearing: str, words: Wording) -> str:
     code = f"where-{bearing.replace(' ', '-')}"
     return words(code) if words.knows(code) else bearing
-
-
-def _readings(readings: Sequence[Read], words: Wording) -> tuple[str, ...]:
-    if not readings:
-        return ()
-    return (words("inspector-readings"), *(_reading(each, words) for each in readings))
 
 
 def _reading(read: Read, words: Wording) -> str:
