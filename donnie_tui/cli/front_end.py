@@ -217,7 +217,7 @@ def serve(order: Order) -> int:
     def announce() -> None:
         if server.is_open_to_others:
             order.output.line(words("serve-open-to-others"))
-        order.output.line(words("serve-address", link=server.link))
+        order.output.line(words("serve-address", link=server.gate.link))
 
     try:
         asyncio.run(serve_until_signal(server, announce))

@@ -173,10 +173,6 @@ class PageServer:
         self._listeners: list[asyncio.Server] = []
 
     @property
-    def link(self) -> str:
-        return self.gate.link
-
-    @property
     def is_open_to_others(self) -> bool:
         """Whether it listens on more than this machine."""
         sockets = (each.getsockname()[0] for listener in self._listeners for each in listener.sockets)

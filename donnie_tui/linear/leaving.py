@@ -93,7 +93,7 @@ class Leaving:
         if self._console.leaving is not None:
             self.leave_by_signal(self._console.leaving)
         elif may_leave:
-            if self._background.is_running:
+            if self._ctx.donnie.team.has_unstopped_run:
                 self._background.stop()
             self.code = code
         elif self._prompter.has_ended:  # to stay and ask again would never end

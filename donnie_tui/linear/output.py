@@ -164,11 +164,6 @@ class BackgroundRobots:
         """Whether the main thread follows a run: its lines and all others stay in their order."""
 
     @property
-    def is_running(self) -> bool:
-        """Whether a robot runs that is not being stopped."""
-        return self._ctx.donnie.team.has_unstopped_run
-
-    @property
     def floods(self) -> bool:
         """Whether more lines wait than are printed at once, while more may come any time."""
         is_long = len(self._queue) > LARGEST_BLOCK

@@ -269,10 +269,6 @@ class Watchdog:
             self.left = number, time.monotonic() if since is None else since
             threading.Thread(target=self._end_in_time, args=self.left, name="last", daemon=True).start()
 
-    def handler_before(self, number: int) -> Handler | None:
-        """See ``TakenSignals``."""
-        return self._signals.handler_before(number)
-
     # --- its threads
 
     def _watch(self) -> None:

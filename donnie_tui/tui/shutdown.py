@@ -263,7 +263,7 @@ class ScreenWatchdog(Watchdog):
         if not can_suspend():
             return False
         self.deputy.see_done(self._before_rest, LONGEST_REST)  # a key may have started it meanwhile
-        found = self.handler_before(REST)
+        found = self._signals.handler_before(REST)
         if found is not None:
             found(REST, None)
         else:
@@ -280,7 +280,7 @@ class ScreenWatchdog(Watchdog):
             self._take_terminal()
 
     def _take_terminal(self) -> None:
-        found = self.handler_before(BACK)
+        found = self._signals.handler_before(BACK)
         if found is not None:
             found(BACK, None)
 

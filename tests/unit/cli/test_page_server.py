@@ -177,7 +177,7 @@ async def test_the_link_is_exchanged_for_a_cookie_that_scripts_and_other_sites_d
     serving: Any, client: ClientSession
 ) -> None:
     async with serving() as served:
-        async with client.get(served.server.link) as answer:
+        async with client.get(served.server.gate.link) as answer:
             given = answer.headers["Set-Cookie"].split("; ")
             assert answer.status == 200
         assert {"HttpOnly", "SameSite=Strict", "Path=/"} <= set(given)
@@ -202,7 +202,7 @@ async def test_the_secret_and_the_cookie_are_in_no_title_and_nowhere_else_on_a_p
     async with serving() as served:
         gate, shown = served.server.gate, []
         for address, headers in (
-            (served.server.link, {}),
+            (served.server.gate.link, {}),
             (served.origin, served.cookie),
             (f"{served.origin}/page/page.js", served.cookie),
             (served.origin, {}),
@@ -267,7 +267,7 @@ async def test_a_socket_must_say_from_which_page_it_comes(serving: Any, client: 
 
 async def test_a_wrong_link_is_refused_and_not_printed(serving: Any, client: ClientSession) -> None:
     async with serving(address="127.0.0.1") as served:
-        link = served.server.link
+        link = served.server.gate.link
         wrong = link[:-1] + ("B" if link.endswith("A") else "A")
         for each in (wrong, wrong[:-1], f"{link}/x", f"{served.origin}/start/%C3%A9"):
             async with client.get(each) as answer:
@@ -758,7 +758,7 @@ async def test_every_answer_has_a_policy_that_forbids_all_but_what_it_names(
 ) -> None:
     async with serving() as served:
         for address, headers in (
-            (served.server.link, {}),
+            (served.server.gate.link, {}),
             (served.origin, {}),
             (f"{served.origin}/page/page.js", served.cookie),
             (f"{served.origin}/nothing", served.cookie),

@@ -157,7 +157,7 @@ def served(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
     made = list[Any]()
 
     class Server:
-        link = "http://localhost:8000/start/x"
+        gate = Part(link="http://localhost:8000/start/x")
         is_open_to_others = False
 
         def __init__(self, command: list[str], words: Words, log: object, limits: Any, **named: Any) -> None:
@@ -165,7 +165,7 @@ def served(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
             self.is_open_to_others = named["address"] == "0.0.0.0"
 
     async def serve_it(server: Server, announce: Callable[[], None]) -> None:
-        if server.link == "taken":
+        if server.gate.link == "taken":
             raise OSError(98, "Address already in use")
         announce()
 
@@ -220,7 +220,7 @@ def test_a_single_page_may_write_a_file(served: list[Any]) -> None:
 def test_a_server_that_can_not_listen_says_why(
     served: list[Any], monkeypatch: pytest.MonkeyPatch, listen: str | None, code: str
 ) -> None:
-    monkeypatch.setattr(page_server.PageServer, "link", "taken")
+    monkeypatch.setattr(page_server.PageServer, "gate", Part(link="taken"))
     reason = devices.serial_ports.reason_of(OSError(98, "Address already in use"))
     with pytest.raises(Unusable) as bad:
         serve(pages(listen=listen))

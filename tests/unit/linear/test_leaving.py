@@ -22,7 +22,7 @@ def leaving_of(done: list[str], leaving: int | None = None) -> Leaving:
     """Records its calls, and can ask no question."""
     ctx: Any = SimpleNamespace(
         donnie=SimpleNamespace(
-            team=SimpleNamespace(stop=lambda: done.append("stop")),
+            team=SimpleNamespace(stop=lambda: done.append("stop"), has_unstopped_run=False),
             site=SimpleNamespace(is_saved=True),
             rescue_world=lambda: None,
             session=SimpleNamespace(
@@ -215,7 +215,7 @@ def ending(
     ctx.runs = SimpleNamespace(stop_to_leave=lambda: done.append("runs stopped"))
     ctx.answer_entering = lambda name: done.append(f"entering {name}")
     leaving._streams.is_attended = is_attended  # type: ignore[misc]
-    leaving._background = SimpleNamespace(is_running=False, stop=lambda: done.append("background"))  # type: ignore[assignment]
+    leaving._background = SimpleNamespace(stop=lambda: done.append("background"))  # type: ignore[assignment]
     leaving._prompter.confirm = lambda question: done.append(question) or answers  # type: ignore[method-assign,func-returns-value]
     leaving._prompter.has_ended = False
     return leaving
@@ -370,12 +370,12 @@ def test_quit_is_a_program_and_no_failure_of_a_script_that_opened_another(
 def test_robots_in_the_background_stop_only_when_nothing_keeps_the_learner() -> None:
     done: list[str] = []
     leaving = ending(Program(is_saved=True), done)
-    leaving._background.is_running = True  # type: ignore[misc]
+    leaving._ctx.donnie.team.has_unstopped_run = True  # type: ignore[misc]
     leaving.leave(0)
     assert done == ["background"]
     done.clear()
     leaving = ending(Program(), done)
-    leaving._background.is_running = True  # type: ignore[misc]
+    leaving._ctx.donnie.team.has_unstopped_run = True  # type: ignore[misc]
     leaving.leave(0)
     assert done == [ASKED, "stays-unsaved"]
 
