@@ -34,8 +34,8 @@ class Output:
     """Lines for people and scripts. Any thread may write."""
 
     def __init__(self, out: TextIO | None = None, err: TextIO | None = None) -> None:
-        self.out = _prepared(out or sys.stdout, 1)
-        self._err = _prepared(err or sys.stderr, 2)
+        self.out = _prepared(out or sys.stdout)
+        self._err = _prepared(err or sys.stderr)
         self.is_broken = False
         """Whether nothing can be written any more."""
         self.problem: str | None = None
@@ -136,18 +136,14 @@ def _shown(text: str) -> str:
     return printable(text)
 
 
-def _prepared(stream: TextIO | None, number: int) -> TextIO:
+def _prepared(stream: TextIO | None) -> TextIO:
     """The stream as UTF-8, or an empty one if the process was started without it."""
     if stream is None:
         return open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123 -- lives as long as the process
     reconfigure = getattr(stream, "reconfigure", None)
-    if reconfigure is not None and _is_ours(stream, number):
+    if reconfigure is not None and stream in (sys.stdout, sys.stderr):
         reconfigure(encoding="utf-8", errors="backslashreplace")
     return stream
-
-
-def _is_ours(stream: TextIO, number: int) -> bool:
-    return stream in (sys.stdout, sys.stderr) and number in (1, 2)
 
 
 def _throw_away(stream: TextIO) -> None:

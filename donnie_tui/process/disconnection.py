@@ -97,10 +97,6 @@ def _parent_and_terminal(pid: int) -> tuple[int, str]:
 
 
 def _end_with(keeper: int) -> None:
-    import select
-    import signal
-    import threading
-
     def wait() -> None:
         try:
             select.select([os.pidfd_open(keeper)], [], [])

@@ -93,9 +93,6 @@ def _opened(path: str, flags: int) -> int:
 MARKER = "tour-was-offered"
 VOICE_MARKER = "voice-was-announced"
 
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
 
 def offers_tour(folder: str, environment: Mapping[str, str]) -> bool:
     """Whether to offer the tour now, which happens once. ``folder``: the state folder."""
