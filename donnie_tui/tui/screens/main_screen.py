@@ -348,8 +348,5 @@ class MainScreen(Screen[None]):
     def on_map_view_rulers_changed(self) -> None:
         self._give_room()
 
-    def on_map_view_explored(self) -> None:
-        self.post_message(self.Looked())
-
     def on_text_rows_read(self) -> None:
         self.post_message(self.Looked())
