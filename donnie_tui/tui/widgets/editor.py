@@ -381,16 +381,16 @@ class Editor(TextArea):
 
     def undo(self) -> None:
         """Undo the last edit; breakpoints move with their lines."""
-        self.is_typed = False
-        before = list(self.document.lines) if self.breakpoints else []
-        super().undo()
-        self._choose_wrapping()
-        self._follow(before)
+        self._travel(super().undo)
 
     def redo(self) -> None:
+        self._travel(super().redo)
+
+    def _travel(self, change: Callable[[], None]) -> None:
+        """Undo or redo an edit."""
         self.is_typed = False
         before = list(self.document.lines) if self.breakpoints else []
-        super().redo()
+        change()
         self._choose_wrapping()
         self._follow(before)
 
