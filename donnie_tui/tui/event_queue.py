@@ -107,9 +107,8 @@ class EventsQueued(Message):
 class RunBegan(Message):
     """A run began with the robot at this pose; ``fresh``: at its start, without a past."""
 
-    def __init__(self, program: str, pose: Pose, *, fresh: bool = False) -> None:
+    def __init__(self, pose: Pose, *, fresh: bool = False) -> None:
         super().__init__()
-        self.program = program
         self.pose = pose
         self.fresh = fresh
 
@@ -225,9 +224,9 @@ class EventQueue:
 
     def _wake(self, event: Event, robot: str | None, is_chosen: bool) -> None:
         match event:
-            case RunStarted(program=program, how=how) if is_chosen:
+            case RunStarted(how=how) if is_chosen:
                 self._is_beginning = True
-                self._post(RunBegan(program, self._pose(), fresh=how is not None and how.begins_anew))
+                self._post(RunBegan(self._pose(), fresh=how is not None and how.begins_anew))
             case RunEnded():
                 self._post(RunFinished(event, self._taken_errors() if is_chosen else (), robot))
                 if not is_chosen:

@@ -294,7 +294,7 @@ def test_only_the_run_of_the_current_robot_begins_on_the_screen(how, fresh):
     for robot in ("bob", "alice"):
         listener(Stamped(1, 0.0, RunStarted("a.gd", "w", "d", 0, "0", how=how), robot))
 
-    assert [(each.program, each.pose, each.fresh) for each in posted] == [("a.gd", HERE, fresh)]
+    assert [(each.pose, each.fresh) for each in posted] == [(HERE, fresh)]
 
 
 @pytest.mark.parametrize("outcome", [Outcome.QUIT, Outcome.COMPLETED])
@@ -397,7 +397,7 @@ def test_the_number_of_lost_lines_comes_before_the_remaining_lines():
 
 def test_two_wakeups_are_as_good_as_one():
     assert EventsQueued().can_replace(EventsQueued())
-    assert not EventsQueued().can_replace(RunBegan("p", HERE))
+    assert not EventsQueued().can_replace(RunBegan(HERE))
 
 
 def test_the_queue_is_read_at_the_chosen_interval(monkeypatch):

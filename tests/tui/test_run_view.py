@@ -94,7 +94,7 @@ def slow(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(run_view, "SLOW_AGAIN", 10.0)
 
 
-BEGIN = RunBegan("p", HERE, fresh=True)
+BEGIN = RunBegan(HERE, fresh=True)
 
 
 def test_a_change_of_the_run_is_posted_to_the_screen() -> None:
