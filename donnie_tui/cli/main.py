@@ -27,8 +27,8 @@ from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.process.confinement import IS_POSSIBLE, Confinement, confine, part_below, real_path
 from donnie_tui.process.signals import numbers_of
-from donnie_tui.settings.folders import keep_in, machine_settings_file, settings_file
-from donnie_tui.settings.parsing import Notice, read_file, read_settings
+from donnie_tui.settings.folders import account_settings_file, keep_in, machine_settings_file, settings_file
+from donnie_tui.settings.parsing import Notice, read_file
 from donnie_tui.settings.settings import (
     CONFINED,
     DEVICES,
@@ -78,7 +78,7 @@ def main(arguments: list[str], greeting: Greeting | None = None, *, joins_server
     """
     _lift_limits()
     machine, damages = read_file(machine_settings_file())
-    start = _Start(Output(), machine, *read_settings(os.environ), greeting, joins_server)
+    start = _Start(Output(), machine, *read_file(account_settings_file(os.environ)), greeting, joins_server)
     words = Words(language_before_parsing(arguments, os.environ, {**machine, **start.account}))
     try:
         for damage in damages:  # it may be the line that limits the learner

@@ -18,7 +18,7 @@ from msgspec import Struct
 from devices.ports.robot import NETWORK_SCHEMES, Bearing
 from donnie_tui.process.confinement import make_folder, open_bytes
 from donnie_tui.settings import OFF, ON, SPEECH
-from donnie_tui.settings.folders import account_settings_file, settings_file
+from donnie_tui.settings.folders import settings_file
 from language.locales import language_of_locale, toml_in
 
 Sound: TypeAlias = bool | str
@@ -387,11 +387,6 @@ class Notice(Struct, frozen=True):
 
 LARGEST_FILE = 100_000
 """Bytes; ten settings take two hundred."""
-
-
-def read_settings(environment: Mapping[str, str]) -> tuple[dict[str, object], tuple[Notice, ...]]:
-    """The settings of the account, as ``read_file``."""
-    return read_file(account_settings_file(environment))
 
 
 def read_file(file: str) -> tuple[dict[str, object], tuple[Notice, ...]]:

@@ -15,7 +15,8 @@ from donnie_tui.cli.options import ExitCode, Invocation, Order
 from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.audible import Audible
-from donnie_tui.settings.parsing import read_settings
+from donnie_tui.settings.folders import account_settings_file
+from donnie_tui.settings.parsing import read_file
 from donnie_tui.settings.settings import Settings, resolve
 from tests.unit.devices.pictures import drawn, save
 
@@ -49,7 +50,7 @@ class Calibration:
 
     @property
     def kept(self) -> object:
-        return resolve({}, {}, read_settings(self.environment)[0])[0].colours
+        return resolve({}, {}, read_file(account_settings_file(self.environment))[0])[0].colours
 
 
 @pytest.fixture

@@ -16,7 +16,8 @@ from donnie_tui.cli.calibrate import calibrate
 from donnie_tui.cli.options import ExitCode, Invocation, Order
 from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.settings.parsing import read_settings
+from donnie_tui.settings.folders import account_settings_file
+from donnie_tui.settings.parsing import read_file
 from donnie_tui.settings.settings import Settings
 
 
@@ -135,7 +136,7 @@ def test_a_measure_near_the_expected_one_or_typed_twice_is_taken(
     assert wheels.robot is not None
     assert wheels.robot.done == ["connect", "forward 20", "turn 720", "close"]
     assert wheels.guarded == []
-    assert read_settings(wheels.environment) == ({}, ())
+    assert read_file(account_settings_file(wheels.environment)) == ({}, ())
 
 
 @pytest.mark.parametrize(
@@ -150,7 +151,7 @@ def test_the_sizes_of_a_real_robot_are_kept_in_metres(
     typed: str, kept: object, wheels: Wheels, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert wheels.run(typed, "serial:/dev/robot") == ExitCode.DONE
-    assert read_settings(wheels.environment) == (kept, ())
+    assert read_file(account_settings_file(wheels.environment)) == (kept, ())
     assert wheels.guarded == ["/dev/robot", "ends False"]
     assert capsys.readouterr().out.splitlines()[-1] == "I saved it in the settings."
 

@@ -11,8 +11,8 @@ import pytest
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import folders
-from donnie_tui.settings.folders import settings_file, state_path
-from donnie_tui.settings.parsing import PORT_WANTED, colours_text, read_settings, remember, with_setting
+from donnie_tui.settings.folders import account_settings_file, settings_file, state_path
+from donnie_tui.settings.parsing import PORT_WANTED, colours_text, read_file, remember, with_setting
 from donnie_tui.settings.settings import (
     BY_KEY,
     KEYS,
@@ -150,13 +150,13 @@ def write(environment: dict[str, str], data: bytes) -> Path:
 
 
 def test_a_missing_file_is_no_problem(environment: dict[str, str]) -> None:
-    assert read_settings(environment) == ({}, ())
+    assert read_file(account_settings_file(environment)) == ({}, ())
 
 
 def test_the_file_is_toml(environment: dict[str, str]) -> None:
     write(environment, b'\xef\xbb\xbflang = "es"\nsound = false\n')
 
-    assert read_settings(environment) == ({"lang": "es", "sound": False}, ())
+    assert read_file(account_settings_file(environment)) == ({"lang": "es", "sound": False}, ())
 
 
 @pytest.mark.parametrize(
@@ -173,7 +173,7 @@ def test_the_file_is_toml(environment: dict[str, str]) -> None:
 def test_a_damaged_file_is_reported_and_not_used(environment: dict[str, str], data: bytes, code: str) -> None:
     write(environment, data)
 
-    settings, notices = read_settings(environment)
+    settings, notices = read_file(account_settings_file(environment))
 
     assert settings == {}
     assert [notice.code for notice in notices] == [code]
@@ -183,7 +183,9 @@ def test_a_huge_file_is_refused_before_it_takes_memory(environment: dict[str, st
     write(environment, b"")
     os.truncate(settings_file(environment), 50_000_000)
     with traced() as peak:
-        assert [each.code for each in read_settings(environment)[1]] == ["settings-file-too-large"]
+        assert [each.code for each in read_file(account_settings_file(environment))[1]] == [
+            "settings-file-too-large"
+        ]
 
     assert peak() < 5_000_000
 
@@ -191,7 +193,9 @@ def test_a_huge_file_is_refused_before_it_takes_memory(environment: dict[str, st
 def test_a_folder_in_its_place_is_reported(environment: dict[str, str]) -> None:
     Path(settings_file(environment)).mkdir(parents=True)
 
-    assert [notice.code for notice in read_settings(environment)[1]] == ["settings-file-unreadable"]
+    assert [notice.code for notice in read_file(account_settings_file(environment))[1]] == [
+        "settings-file-unreadable"
+    ]
 
 
 def test_a_saved_setting_is_read_again_and_the_rest_of_the_file_stays(environment: dict[str, str]) -> None:
@@ -201,7 +205,7 @@ def test_a_saved_setting_is_read_again_and_the_rest_of_the_file_stays(environmen
     remember("linear", True, environment)
 
     assert path.read_text() == '# mine\nlang = "pt"\nspeed = 2\nlinear = true\n'
-    assert read_settings(environment)[0] == {"lang": "pt", "speed": 2, "linear": True}
+    assert read_file(account_settings_file(environment))[0] == {"lang": "pt", "speed": 2, "linear": True}
 
 
 def test_a_setting_that_can_not_be_saved_is_reported(environment: dict[str, str]) -> None:
