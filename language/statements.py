@@ -263,18 +263,8 @@ class ScopeCompiler:
                 return "vibrate", py.load(site, bearing.name)
             case syntax.HelpCommand(topic=topic):
                 return "help", py.constant(site, topic)
-            case syntax.ScanCommand():
-                return ("scan",)
-            case syntax.StateCommand():
-                return ("state",)
-            case syntax.HistoryCommand():
-                return ("history",)
-            case syntax.GripCommand():
-                return ("grip",)
-            case syntax.ReleaseCommand():
-                return ("release",)
-            case syntax.PoseCommand():
-                return ("announce_pose",)
+            case syntax.ActionCommand(action=action):
+                return (action,)
             case syntax.QuitCommand() | syntax.RunCommand() if not self._terminal:
                 return "refuse_outside_terminal", py.constant(site, typed(command.span))
             case syntax.QuitCommand():

@@ -138,28 +138,11 @@ class TurnCommand(Node, frozen=True):
     degrees: Expression
 
 
-class ScanCommand(Node, frozen=True):
-    pass
+class ActionCommand(Node, frozen=True):
+    """A command of one word: SCAN, STATE, HISTORY, GRIP, RELEASE, and POS, which announces the whole pose."""
 
-
-class StateCommand(Node, frozen=True):
-    pass
-
-
-class HistoryCommand(Node, frozen=True):
-    pass
-
-
-class GripCommand(Node, frozen=True):
-    pass
-
-
-class ReleaseCommand(Node, frozen=True):
-    pass
-
-
-class PoseCommand(Node, frozen=True):
-    """POS on a line of its own: announces the whole pose."""
+    action: str
+    """The name of the action."""
 
 
 class UnusedSensor(Node, frozen=True):
@@ -233,12 +216,7 @@ Command: TypeAlias = (
     | SoundCommand
     | WalkCommand
     | TurnCommand
-    | ScanCommand
-    | StateCommand
-    | HistoryCommand
-    | GripCommand
-    | ReleaseCommand
-    | PoseCommand
+    | ActionCommand
     | WaitCommand
     | BeltCommand
     | VibrateCommand

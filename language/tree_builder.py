@@ -6,6 +6,7 @@ tokens (kind, start, end, line, column, folded text). A span reaches from the fi
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from msgspec.structs import replace
@@ -32,6 +33,16 @@ class TooDeep(Exception):
     def __init__(self, span: Span) -> None:
         super().__init__()
         self.span = span
+
+
+def _alone(node: Callable[..., syntax.Node], *parts: str) -> staticmethod[[Token], Any]:
+    """The method for a command of one word."""
+    return staticmethod(lambda word: node(span_of(word), *parts))
+
+
+def _with(node: Callable[..., syntax.Node], terminal: str) -> staticmethod[[Token, Token], Any]:
+    """The method for a word and another one of that terminal."""
+    return staticmethod(lambda word, part: node(_tokens_span(word, part), _value(terminal, part)))
 
 
 class TreeBuilder:
@@ -128,13 +139,8 @@ class TreeBuilder:
         name = self._source[string[1] + 1 : string[2] - 1]
         return syntax.NamedDistanceSensor(_tokens_span(word, string), " ".join(name.split()))
 
-    @staticmethod
-    def position(word: Token, axis: Token) -> syntax.PositionSensor:
-        return syntax.PositionSensor(_tokens_span(word, axis), _value("AXIS", axis))
-
-    @staticmethod
-    def colour(word: Token, seen: Token) -> syntax.ColourSensor:
-        return syntax.ColourSensor(_tokens_span(word, seen), _value("COLOUR", seen))
+    position = _with(syntax.PositionSensor, "AXIS")
+    colour = _with(syntax.ColourSensor, "COLOUR")
 
     @staticmethod
     def condition(left: Any, comparator: Token, right: Any) -> Condition:
@@ -169,9 +175,7 @@ class TreeBuilder:
             said = said.replace("\r\n", "\n").replace("\r", "\n")
         return syntax.SpeakCommand(_tokens_span(word, string), syntax.TextLiteral(span_of(string), said))
 
-    @staticmethod
-    def sound(word: Token, switch: Token) -> syntax.SoundCommand:
-        return syntax.SoundCommand(_tokens_span(word, switch), _value("SWITCH", switch))
+    sound = _with(syntax.SoundCommand, "SWITCH")
 
     @staticmethod
     def walk(word: Token, steps: Any) -> syntax.WalkCommand:
@@ -181,29 +185,12 @@ class TreeBuilder:
     def turn(word: Token, degrees: Any) -> syntax.TurnCommand:
         return syntax.TurnCommand(_to(word, degrees), _SIDES[word[0]], degrees)
 
-    @staticmethod
-    def scan(word: Token) -> syntax.ScanCommand:
-        return syntax.ScanCommand(span_of(word))
-
-    @staticmethod
-    def state(word: Token) -> syntax.StateCommand:
-        return syntax.StateCommand(span_of(word))
-
-    @staticmethod
-    def history(word: Token) -> syntax.HistoryCommand:
-        return syntax.HistoryCommand(span_of(word))
-
-    @staticmethod
-    def grip(word: Token) -> syntax.GripCommand:
-        return syntax.GripCommand(span_of(word))
-
-    @staticmethod
-    def release(word: Token) -> syntax.ReleaseCommand:
-        return syntax.ReleaseCommand(span_of(word))
-
-    @staticmethod
-    def pose(word: Token) -> syntax.PoseCommand:
-        return syntax.PoseCommand(span_of(word))
+    scan = _alone(syntax.ActionCommand, "scan")
+    state = _alone(syntax.ActionCommand, "state")
+    history = _alone(syntax.ActionCommand, "history")
+    grip = _alone(syntax.ActionCommand, "grip")
+    release = _alone(syntax.ActionCommand, "release")
+    pose = _alone(syntax.ActionCommand, "announce_pose")
 
     @staticmethod
     def unused(sensor: Any) -> syntax.UnusedSensor:
@@ -213,25 +200,15 @@ class TreeBuilder:
     def wait(word: Token, seconds: Any) -> syntax.WaitCommand:
         return syntax.WaitCommand(_to(word, seconds), seconds)
 
-    @staticmethod
-    def belt(word: Token, switch: Token) -> syntax.BeltCommand:
-        return syntax.BeltCommand(_tokens_span(word, switch), _value("SWITCH", switch))
-
-    @staticmethod
-    def vibrate(word: Token, direction: Token) -> syntax.VibrateCommand:
-        return syntax.VibrateCommand(_tokens_span(word, direction), _value("DIRECTION", direction))
+    belt = _with(syntax.BeltCommand, "SWITCH")
+    vibrate = _with(syntax.VibrateCommand, "DIRECTION")
 
     def help_(self, word: Token, topic: Token | None = None) -> syntax.HelpCommand:
         typed = " ".join(self._source[topic[1] : topic[2]].split()) if topic else None
         return syntax.HelpCommand(_tokens_span(word, topic or word), typed)
 
-    @staticmethod
-    def quit_(word: Token) -> syntax.QuitCommand:
-        return syntax.QuitCommand(span_of(word))
-
-    @staticmethod
-    def run(word: Token) -> syntax.RunCommand:
-        return syntax.RunCommand(span_of(word))
+    quit_ = _alone(syntax.QuitCommand)
+    run = _alone(syntax.RunCommand)
 
     # --- blocks --------------------------------------------------------------------------------------
 

@@ -26,6 +26,7 @@ from language.numbers import checked, divide
 from language.runtime import Actions, Frame, Memory, Runnable, Trace, shown_frames
 from language.suggestions import undeclared_procedure, undeclared_variable
 from language.syntax import (
+    ActionCommand,
     Assign,
     BeltCommand,
     Binary,
@@ -38,28 +39,22 @@ from language.syntax import (
     DistanceSensor,
     Expression,
     For,
-    GripCommand,
     HelpCommand,
-    HistoryCommand,
     If,
     Name,
     NamedDistanceSensor,
     Negative,
     NumberLiteral,
-    PoseCommand,
     PositionSensor,
     Procedure,
     Program,
     QuitCommand,
-    ReleaseCommand,
     Repeat,
     RunCommand,
-    ScanCommand,
     Side,
     SoundCommand,
     Span,
     SpeakCommand,
-    StateCommand,
     Statement,
     TextLiteral,
     TurnCommand,
@@ -346,18 +341,8 @@ class _Run:
                 do.vibrate(bearing)
             case HelpCommand(topic=topic):
                 do.help(topic)
-            case ScanCommand():
-                do.scan()
-            case StateCommand():
-                do.state()
-            case HistoryCommand():
-                do.history()
-            case GripCommand():
-                do.grip()
-            case ReleaseCommand():
-                do.release()
-            case PoseCommand():
-                do.announce_pose()
+            case ActionCommand(action=action):
+                getattr(do, action)()
             case QuitCommand() | RunCommand() if not self._terminal:
                 raise ActionRefused(MistakeKind.TERMINAL_ONLY, name=typed)
             case QuitCommand():

@@ -8,6 +8,7 @@ from devices.ports.robot import Bearing
 from language.lexer import lex
 from language.parser import kinds_after, parse
 from language.syntax import (
+    ActionCommand,
     Assign,
     Axis,
     Binary,
@@ -24,7 +25,6 @@ from language.syntax import (
     NamedDistanceSensor,
     Negative,
     NumberLiteral,
-    PoseCommand,
     PositionSensor,
     Procedure,
     Program,
@@ -153,7 +153,7 @@ def test_a_sensor_alone_is_unused_and_pos_alone_is_the_pose() -> None:
     assert isinstance(first("DISTANCE F"), UnusedSensor)
     assert isinstance(first("COLOR red"), UnusedSensor)
     assert isinstance(first("POS x"), UnusedSensor)
-    assert isinstance(first("POS FW 1"), PoseCommand)
+    assert first("POS FW 1") == ActionCommand(Span(0, 3, 1, 1), "announce_pose")
 
 
 def test_blocks_have_their_parts() -> None:
