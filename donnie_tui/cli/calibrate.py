@@ -29,7 +29,6 @@ from donnie_tui.process.disconnection import ReaderWatch
 from donnie_tui.process.signals import LEAVING, Watchdog, end_process
 from donnie_tui.robot.connection import (
     Guard,
-    MeasurableRobot,
     make_camera,
     make_measurable,
     robot_config,
@@ -41,6 +40,7 @@ from language.source import quoted
 
 if TYPE_CHECKING:
     from devices.camera import ColourCamera, ColourRange
+    from devices.serial_robot.robot import SerialRobot
 
 COLOUR = ("colour", "color", "cor")
 """The word after ``donnie calibrate``, in the spellings of the languages."""
@@ -80,7 +80,7 @@ class _Lost(Exception):
         self.code = code
 
 
-def calibrate(order: Order, made: Callable[..., MeasurableRobot] = make_measurable) -> int:
+def calibrate(order: Order, made: Callable[..., SerialRobot] = make_measurable) -> int:
     """Ask, walk, ask, turn, ask, write. The exit code is 1 if nothing was measured."""
     what = getattr(order.invocation.arguments, "what", None)
     if what is not None:
@@ -100,7 +100,7 @@ def calibrate(order: Order, made: Callable[..., MeasurableRobot] = make_measurab
     return _keep(order, sizes)
 
 
-def _measured(order: Order, made: Callable[..., MeasurableRobot]) -> _Measures:
+def _measured(order: Order, made: Callable[..., SerialRobot]) -> _Measures:
     """Measure the robot. It stands, and its port is free, when this returns or raises."""
 
     def report(news: LinkNotice, _reason: str) -> None:
@@ -124,7 +124,7 @@ def _measured(order: Order, made: Callable[..., MeasurableRobot]) -> _Measures:
 
 
 @contextmanager
-def _guarded(robot: MeasurableRobot, *, is_real: bool) -> Iterator[None]:
+def _guarded(robot: SerialRobot, *, is_real: bool) -> Iterator[None]:
     """Stop the robot if this process is killed, or if it was lost while it drove."""
     guard = Guard(robot.port) if is_real else None
     try:
@@ -158,7 +158,7 @@ def _write(order: Order, key: str, value: float | str) -> None:
 class _Calibration:
     """One dialogue with the person who measures."""
 
-    def __init__(self, order: Order, robot: MeasurableRobot) -> None:
+    def __init__(self, order: Order, robot: SerialRobot) -> None:
         self._order = order
         self._robot = robot
         self._input = Input()
@@ -234,7 +234,7 @@ class _Calibration:
         self._order.output.line(self._order.words(code, **values))
 
 
-def _halted(robot: MeasurableRobot) -> bool:
+def _halted(robot: SerialRobot) -> bool:
     robot.halt()
     robot.wait_until_standing()
     return True

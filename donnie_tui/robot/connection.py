@@ -13,7 +13,7 @@ import sys
 import threading
 from collections.abc import Callable
 from contextlib import suppress
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -36,46 +36,12 @@ if TYPE_CHECKING:
     from devices.camera import ColourCamera
     from devices.serial_robot.config import RobotConfig
     from devices.serial_robot.robot import SerialRobot
-    from devices.wire.telemetry import Telemetry
-    from donnie_tui.robot.search import Lister, RobotOption
+    from donnie_tui.robot.search import Connectable, Lister, RobotOption
     from sim.sensors import Mounted
 
 
 AUTOMATIC, NEWER = "auto", "2018"
 """Of the setting ``profile``."""
-
-
-class Connectable(ResettableRobot, Protocol):
-    """A robot on a serial connection."""
-
-    def connect(self) -> None:
-        """Raises ``RobotProblem``."""
-
-    def give_up(self) -> None:
-        """Have ``connect`` end at once. A signal's handler may do it."""
-
-    def wait_until_standing(self) -> None:
-        """Waits after a stop until the robot stands. A signal handler may call it."""
-
-    def close(self) -> None: ...
-
-    @property
-    def port(self) -> str: ...
-
-    @property
-    def may_drive_on(self) -> bool:
-        """Whether its connection was lost while it drove, and it was not stopped since."""
-
-    @property
-    def has_run_away(self) -> bool:
-        """Whether its wheels still turn after every attempt to stop them."""
-
-
-class MeasurableRobot(Connectable, Protocol):
-    """A robot whose wheels' counts can be read."""
-
-    @property
-    def telemetry(self) -> Telemetry: ...
 
 
 class _Connected(Struct):
@@ -361,7 +327,7 @@ _ENDING: list[subprocess.Popen[bytes]] = []
 
 def make_measurable(
     settings: Settings, words: Words, pace: Pace, on_notice: Callable[[LinkNotice, str], None]
-) -> MeasurableRobot:
+) -> SerialRobot:
     """The real robot of the settings, or the simulated board, without a session. Raises ``Unusable``."""
     if settings.robot == DOUBLE:
         from devices.board_simulator.robot import SimulatedSerialRobot

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from contextlib import suppress
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, TypeAlias
 
 from msgspec import Struct
 
@@ -28,16 +28,11 @@ from donnie_tui.settings.settings import Settings
 
 if TYPE_CHECKING:
     from devices.serial_ports import FoundPort, PortProblem
+    from devices.serial_robot.robot import SerialRobot
+    from donnie_tui.robot.player_robot import PlayerRobot
 
-
-class Searchable(Protocol):
-    """A robot on a serial connection."""
-
-    def connect(self) -> None:
-        """Raises ``RobotProblem``."""
-
-    def give_up(self) -> None:
-        """Have ``connect`` end at once."""
+    Connectable: TypeAlias = SerialRobot | PlayerRobot
+    """A robot on a connection."""
 
 
 class Search:
@@ -47,7 +42,7 @@ class Search:
         """``is_pending``: as after ``expect``."""
         self._is_pending = is_pending
         self._is_given_up = False
-        self._robot: Searchable | None = None
+        self._robot: Connectable | None = None
         self.on_slow: Callable[[], object] = _nothing
         """Reports that it continues, if it takes longer than a second; in the thread that connects."""
 
@@ -65,7 +60,7 @@ class Search:
             robot.give_up()
         return True
 
-    def connect(self, robot: Searchable) -> None:
+    def connect(self, robot: Connectable) -> None:
         """Raises ``RobotProblem``, ``given-up`` among them."""
         self._robot = robot
         if self._is_given_up:

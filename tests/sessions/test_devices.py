@@ -6,6 +6,7 @@ import json
 import os
 import signal
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 
@@ -14,13 +15,16 @@ from donnie_tui.bootstrap import assemble
 from donnie_tui.core.events import Link, Moved, RunEnded, Stamped
 from donnie_tui.core.session import RunOptions
 from donnie_tui.robot.connection import Connection
-from donnie_tui.robot.search import Search, Searchable
+from donnie_tui.robot.search import Search
 from donnie_tui.settings.settings import Settings
 from tests.board_on_pty import PtyBoard
 from tests.sessions.command import QUIET, donnie, start
 from tests.sessions.learner import Learner
 from tests.sessions.real_robot import LONG_WALK, assembled, program, serial, until
 from tests.timeouts import TIMEOUT
+
+if TYPE_CHECKING:
+    from donnie_tui.robot.search import Connectable
 
 pytestmark = pytest.mark.slow
 
@@ -102,7 +106,7 @@ def test_a_program_started_during_the_search_for_a_robot_stops_where_there_is_no
     """The full screen allows that. Afterwards the simulator is back, and not a robot without a connection."""
 
     class Meanwhile(Search):
-        def connect(self, robot: Searchable) -> None:
+        def connect(self, robot: Connectable) -> None:
             donnie.session.start("WHILE 1 == 1 DO\nVAR a = 1\nEND WHILE", "test.gd", RunOptions(fresh=True))
             super().connect(robot)
 

@@ -8,7 +8,7 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from queue import SimpleQueue
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
@@ -24,11 +24,14 @@ from donnie_tui.robot import connection as module
 from donnie_tui.robot.board_floor import place_of
 from donnie_tui.robot.connection import Connection, Guard, make_measurable
 from donnie_tui.robot.player_robot import PlayerRobot
-from donnie_tui.robot.search import Search, Searchable
+from donnie_tui.robot.search import Search
 from donnie_tui.settings.settings import Settings
 from donnie_tui.world.loading import inhabited_world
 from tests.floor import Floor
 from tests.timeouts import TIMEOUT
+
+if TYPE_CHECKING:
+    from donnie_tui.robot.search import Connectable
 
 PORT = "/dev/robot-of-no-machine"
 
@@ -216,7 +219,7 @@ def test_a_program_that_was_started_during_a_search_in_vain_has_stopped_by_its_e
     session = connected.session
 
     class Meanwhile(Search):
-        def connect(self, robot: Searchable) -> None:
+        def connect(self, robot: Connectable) -> None:
             session.start("WHILE 1 == 1 DO\nVAR a = 1\nEND WHILE", "a.gd")
             super().connect(robot)
 
