@@ -17,7 +17,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from devices.board_simulator.board import NoisyWire, SimulatedBoard
+from devices.board_simulator.board import SimulatedBoard
 
 POLL = 0.002
 """Seconds between two polls of the terminal."""
@@ -29,16 +29,13 @@ MOST_AT_ONCE = 4096
 class PtyBoard:
     """A context manager: inside, ``path`` can be opened as a serial port."""
 
-    def __init__(
-        self, board: SimulatedBoard, wire: NoisyWire | None = None, *, slowness: float = 1.0
-    ) -> None:
+    def __init__(self, board: SimulatedBoard, *, slowness: float = 1.0) -> None:
         """``slowness``: seconds in which one of the board passes; a late stop is less late for it."""
         self.board, self._slowness = board, slowness
         self.received = bytearray()
-        """All bytes that were written to the board, before the wire changed them."""
+        """All bytes that were written to the board."""
         self.has_battery = False
         """Whether the board runs on while it is unplugged, and is not restarted when it is plugged in."""
-        self._wire = wire or NoisyWire()
         self._folder = tempfile.TemporaryDirectory(prefix="donnie-double-")
         self._lock = threading.Lock()
         self._ending = threading.Event()
@@ -104,7 +101,7 @@ class PtyBoard:
         if select.select([master], [], [], 0)[0]:
             data = os.read(master, MOST_AT_ONCE)
             self.received += data
-            self.board.receive(self._wire.to_board(data))
-        sent = self._wire.to_host(self.board.advance(seconds))
+            self.board.receive(data)
+        sent = self.board.advance(seconds)
         with contextlib.suppress(BlockingIOError):  # the host doesn't read: a real board loses its bytes, too
             os.write(master, sent)

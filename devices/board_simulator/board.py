@@ -9,10 +9,8 @@ from __future__ import annotations
 
 import struct
 from collections import deque
-from dataclasses import dataclass, field
 from enum import Enum, auto
 from math import inf
-from random import Random
 from typing import Any
 
 from msgspec import Struct
@@ -338,32 +336,3 @@ class FirmwareParser:
         if byte != checksum(payload):
             return ParserOutput(b"\nChecksum Error!")
         return ParserOutput(b"\nChecksum success!", payload)
-
-
-@dataclass(slots=True)
-class NoisyWire:
-    """A faulty wire between host and board: it changes bits and cuts frames, repeatably by its seed."""
-
-    noise: float = 0.0
-    """Share of the bytes, in both directions, that have one bit flipped."""
-    cut: float = 0.0
-    """Share of the writes to the board that lose their second half."""
-    seed: int = 0
-    _random: Random = field(default_factory=Random, init=False, repr=False)
-
-    def __post_init__(self) -> None:
-        self._random = Random(self.seed)
-
-    def to_host(self, data: bytes) -> bytes:
-        return self._noisy(data) if self.noise else data
-
-    def to_board(self, data: bytes) -> bytes:
-        if self.cut and self._random.random() < self.cut:
-            data = data[: len(data) // 2]
-        return self._noisy(data) if self.noise else data
-
-    def _noisy(self, data: bytes) -> bytes:
-        chance = self._random.random
-        if not any(hit := [chance() < self.noise for _ in data]):
-            return data
-        return bytes(b ^ (1 << self._random.randrange(8)) if h else b for b, h in zip(data, hit, strict=True))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from devices.board_simulator.board import QUICK_PASSES, NoisyWire, SimulatedBoard
+from devices.board_simulator.board import QUICK_PASSES, SimulatedBoard
 from devices.ports.robot import LinkNotice, Pace, Pose, RobotProblem, Watcher
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.link import ConnectionState
@@ -33,7 +33,6 @@ class VirtualLink(ConnectionState):
         config: LinkConfig | None = None,
         on_notice: Callable[[LinkNotice, str], None] | None = None,
         *,
-        wire: NoisyWire | None = None,
         resets_on_open: bool = True,
         on_text: Callable[[str], None] | None = None,
     ) -> None:
@@ -41,7 +40,6 @@ class VirtualLink(ConnectionState):
         super().__init__(BoardConnection(config or LinkConfig(), on_text))
         self.name = "double"
         self.board = board
-        self.wire = wire or NoisyWire()
         self.is_plugged = True
         """A fault while it is False: the port is gone."""
         self.is_blocked = False
@@ -119,7 +117,7 @@ class VirtualLink(ConnectionState):
 
     def _poll(self, seconds: float = POLL) -> None:
         self._now += seconds
-        received = self.wire.to_host(self.board.advance(seconds))
+        received = self.board.advance(seconds)
         if self._is_open and not self.is_plugged:
             self._is_open = False
             self._connection.failed(self._now, "device disconnected")
@@ -151,7 +149,7 @@ class VirtualLink(ConnectionState):
             return
         if self.written is not None:
             self.written.append((self._now, data))
-        self.board.receive(self.wire.to_board(data))
+        self.board.receive(data)
 
     def _reopen(self) -> None:
         self._is_open = False

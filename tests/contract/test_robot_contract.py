@@ -123,7 +123,7 @@ def in_virtual_time(
 ) -> Callable[[ExitStack, Pace, Progress], Robot]:
     def make(closing: ExitStack, pace: Pace, progress: Progress) -> Robot:
         real = Real(wall_ahead(STEPS_TO_THE_WALL))
-        real.link.wire.noise, real.link.wire.cut = noise, cut
+        real.board.wire.noise, real.board.wire.cut = noise, cut
         bad = Tearing(pace, real.board) if torn else pace
         real.robot._virtual_pace._pace = bad
         real.robot._watcher = progress
@@ -313,7 +313,7 @@ def stuck(real: Real) -> None:
 
 
 def deaf(real: Real) -> None:
-    real.link.wire.cut = 1.0
+    real.board.wire.cut = 1.0
 
 
 def full(real: Real) -> None:

@@ -41,7 +41,7 @@ class Fault:
 
 
 def switch(name: str, on: object, off: object) -> tuple[Callable[[Real], None], Callable[[Real], None]]:
-    """Sets ``link.wire.noise``, say, to one value and back to the other."""
+    """Sets ``board.wire.noise``, say, to one value and back to the other."""
     *path, last = name.split(".")
 
     def put(real: Real, value: object) -> None:
@@ -58,8 +58,8 @@ def nothing(real: Real) -> None:
 
 
 FAULTS = (
-    Fault("noise", *switch("link.wire.noise", 0.001, 0.0), (2, 20), ([],)),
-    Fault("half frames", *switch("link.wire.cut", 0.3, 0.0), (2, 20), ([], RESTART)),
+    Fault("noise", *switch("board.wire.noise", 0.001, 0.0), (2, 20), ([],)),
+    Fault("half frames", *switch("board.wire.cut", 0.3, 0.0), (2, 20), ([], RESTART)),
     Fault("a short silence", *switch("board.is_mute", True, False), (0.1, 0.4), ([],)),
     Fault("a long silence", *switch("board.is_mute", True, False), (0.7, 5), (LOSS, RESTART)),
     Fault("unplugged", *switch("link.is_plugged", False, True), (0.1, 10), (LOSS,)),

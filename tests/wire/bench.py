@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from devices.board_simulator.board import NoisyWire, SimulatedBoard
+from devices.board_simulator.board import SimulatedBoard
 from devices.board_simulator.floor import Floor
 from devices.board_simulator.robot import VirtualLink
 from devices.ports.robot import LinkNotice
 from devices.wire.connection import BoardConnection
 from devices.wire.frames import MotorDrive, encode_frame
 from devices.wire.link_state import LinkConfig, LinkState
+from tests.noisy_wire import NoisyWire, WiredBoard
 
 FAR = 1e9
 
@@ -30,11 +31,10 @@ class Bench:
     ) -> None:
         self.notices: list[LinkNotice] = []
         self.texts: list[str] = []
-        self.board = SimulatedBoard(floor, boot_loader=0.5)
+        self.board = WiredBoard(floor, boot_loader=0.5, wire=NoisyWire(noise, cut, seed=7))
         self.link = VirtualLink(
             self.board,
             on_notice=lambda notice, _: self.notices.append(notice),
-            wire=NoisyWire(noise, cut, seed=7),
             resets_on_open=resets_on_open,
             on_text=self.texts.append,
         )

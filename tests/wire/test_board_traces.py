@@ -15,9 +15,10 @@ from pathlib import Path
 
 import pytest
 
-from devices.board_simulator.board import NoisyWire, SimulatedBoard
+from devices.board_simulator.board import SimulatedBoard
 from devices.board_simulator.floor import AxlePose, BumperSwitch, Chassis
 from devices.wire.frames import Bumpers, Decoder, Encoders, Message, Outputs, Power, Ranges, Report
+from tests.noisy_wire import NoisyWire
 from tests.wire.recordings import ROBOT_TRACES, RecordedRow, recording
 
 RECORDED = Chassis(walking=(340.5, 326.6), walking_back=(340.5, 340.5), turning=(170.5, 162.0))

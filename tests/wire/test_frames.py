@@ -28,7 +28,7 @@ def test_parse_text_between_the_frames_goes_to_the_log_and_loses_no_frame() -> N
 
 def test_garbage_bad_frames_are_counted_and_not_reported() -> None:
     bench = Bench()
-    bench.link.wire.noise = 0.002
+    bench.board.wire.noise = 0.002
 
     bench.drive(3.0)
 

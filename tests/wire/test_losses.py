@@ -40,7 +40,7 @@ def test_host_watchdog_silence_is_a_lost_link_and_ends_the_drive() -> None:
 def test_host_watchdog_a_board_that_is_cut_off_both_ways_is_stopped_by_force() -> None:
     bench = Bench()
     bench.drive(0.5)
-    bench.board.is_mute, bench.link.wire.cut = True, 1.0
+    bench.board.is_mute, bench.board.wire.cut = True, 1.0
 
     bench.drive(1.0)
     bench.link.advance(1.5)

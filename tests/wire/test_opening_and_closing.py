@@ -7,12 +7,13 @@ from __future__ import annotations
 
 import pytest
 
-from devices.board_simulator.board import NoisyWire, SimulatedBoard
+from devices.board_simulator.board import SimulatedBoard
 from devices.board_simulator.robot import VirtualLink
 from devices.ports.robot import LinkNotice, RobotProblem
 from devices.wire.connection import BoardConnection
 from devices.wire.frames import CONFIGURE, FILLER, STOP, MotorDrive, drive_frame, encode_frame
 from devices.wire.link_state import LinkConfig, LinkState
+from tests.noisy_wire import NoisyWire
 from tests.wire.bench import HALF_A_FRAME, Bench, abandoned_board
 
 
@@ -137,7 +138,7 @@ def test_shutdown_of_a_robot_that_stands_takes_as_long_as_two_stops() -> None:
 def test_shutdown_of_a_board_that_receives_nothing_ends() -> None:
     bench = Bench()
     bench.drive(0.5)
-    bench.link.wire = NoisyWire(cut=1.0, seed=1)
+    bench.board.wire = NoisyWire(cut=1.0, seed=1)
     bench.link.close()
 
     assert bench.link.state is LinkState.CLOSED

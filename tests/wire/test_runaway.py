@@ -51,7 +51,7 @@ def test_the_stops_are_repeated_after_that_and_end_when_the_board_obeys() -> Non
 def test_a_board_that_its_reset_wire_stops_has_not_run_away() -> None:
     bench = Bench()
     bench.drive(0.5)
-    bench.link.wire.cut = 1.0
+    bench.board.wire.cut = 1.0
 
     bench.link.stop()
     bench.link.advance(1.5)

@@ -186,9 +186,9 @@ def test_lost_command_the_drive_is_repeated_every_two_tenths_of_a_second() -> No
 
 def test_lost_command_a_drive_that_the_board_missed_is_repeated() -> None:
     bench = Bench()
-    bench.link.wire.cut = 1.0
+    bench.board.wire.cut = 1.0
     bench.drive(0.1)
-    bench.link.wire.cut = 0.0
+    bench.board.wire.cut = 0.0
     bench.board.receive(bytes(60))
 
     bench.drive(0.5)
@@ -274,7 +274,7 @@ def test_stop_is_repeated_until_the_wheels_are_still_then_zeros_then_force() -> 
     """The board receives nothing any more, but still sends."""
     bench = Bench()
     bench.drive(0.3)
-    bench.link.wire.cut = 1.0
+    bench.board.wire.cut = 1.0
     resets = bench.board.resets
     asked = bench.link.now()
 
@@ -290,10 +290,10 @@ def test_stop_is_repeated_until_the_wheels_are_still_then_zeros_then_force() -> 
 def test_stop_that_was_lost_twice_is_repeated_within_a_tenth_of_a_second() -> None:
     bench = Bench()
     bench.drive(0.3)
-    bench.link.wire.cut = 1.0
+    bench.board.wire.cut = 1.0
     bench.link.stop()
     bench.link.advance(0.05)
-    bench.link.wire.cut = 0.0
+    bench.board.wire.cut = 0.0
     bench.board.receive(bytes(10))
 
     bench.link.advance(0.15)

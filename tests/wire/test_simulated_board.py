@@ -7,7 +7,7 @@ from math import cos, pi, sin
 
 import pytest
 
-from devices.board_simulator.board import FirmwareParser, NoisyWire, SimulatedBoard
+from devices.board_simulator.board import FirmwareParser, SimulatedBoard
 from devices.board_simulator.floor import AxlePose, BumperSwitch, Chassis
 from devices.wire.frames import (
     CONFIGURE,
@@ -28,6 +28,7 @@ from devices.wire.frames import (
     encode_frame,
     head_frame,
 )
+from tests.noisy_wire import NoisyWire
 
 NE, NW, SE, SW = BumperSwitch.NE, BumperSwitch.NW, BumperSwitch.SE, BumperSwitch.SW
 

@@ -9,6 +9,7 @@ from devices.board_simulator.floor import AxlePose, BumperSwitch, EmptyFloor, Fl
 from devices.board_simulator.robot import SimulatedSerialRobot
 from devices.ports.robot import STEP, LinkNotice, Motion, Pose, RobotProblem
 from devices.serial_robot.config import RobotConfig
+from tests.noisy_wire import WiredBoard
 from tests.walled_floor import WalledFloor
 
 NEAR = 0.1
@@ -86,7 +87,7 @@ class Real:
         self.watcher = RecordingWatcher()
         self.pace = ScriptedPace(stops_at)
         self.robot = SimulatedSerialRobot(
-            board or SimulatedBoard(floor, boot_loader=0.0, passes=passes),
+            board or WiredBoard(floor, boot_loader=0.0, passes=passes),
             config,
             pace=self.pace,
             watcher=self.watcher,

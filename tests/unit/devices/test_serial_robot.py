@@ -177,7 +177,7 @@ def test_a_turn_begins_at_the_heading_to_which_a_stuck_wheel_turned_the_robot() 
 def test_after_a_walk_that_a_lost_stop_made_too_long_the_next_one_is_exact(back: bool) -> None:
     """A regression: walking back never ended, and walking on was too short by the overshoot."""
     real = Real()
-    wire = real.link.wire
+    wire = real.board.wire
     real.pace.due = [(0.9, lambda: setattr(wire, "cut", 1.0)), (1.6, lambda: setattr(wire, "cut", 0.0))]
     real.robot.forward(1)
     before = real.board.wheels.place.y / STEP
