@@ -18,7 +18,7 @@ from math import ceil, inf, radians, sin
 from devices.ports.robot import DEGREES_A_REPORT, STEP, Bearing, Motion, StoppedBy
 from sim.clock import Landing, Mark
 from sim.motion import TOUCHING
-from sim.vehicle import NEARLY, TICK, Course, Rate, Vehicle, Whereabouts, moving, turning
+from sim.vehicle import NEARLY, TICK, Course, Rate, Vehicle, Whereabouts, moving, turning, walk_stops
 
 MOST_REPORTS = 1000
 """A longer movement reports only every n-th step, so that a huge one has few reports."""
@@ -240,7 +240,7 @@ class Walk(Sweeping):
         return self._whole + vehicle.mover.has_free_step(vehicle.here.truth, self._bearing)
 
     def _stops(self, end: int) -> Sequence[float]:
-        return self._course.stops(self._done, end)
+        return walk_stops(self._course, self._done, end)
 
     def _land(self, end: int, landing: Landing, count: int) -> StoppedBy | None:
         if landing is Landing.WHOLE:

@@ -9,9 +9,9 @@ Stage.
 
 from __future__ import annotations
 
-from functools import cache, cached_property
+from functools import cache, cached_property, lru_cache
 from math import degrees, floor, inf, radians, sqrt
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, TypeAlias
 
 from msgspec import Struct
 
@@ -35,8 +35,6 @@ TICK = 1 / 20
 """The longest tick in seconds of robot time: in it a robot that others may disturb sees nothing move."""
 NEARLY = 1e-6
 """Steps or degrees by which a sum of fractions may miss whole ones."""
-_MOST_KEPT = 200
-"""Steps of a walk whose ticks are kept."""
 _FINEST = 1e-5
 """Steps: no tick is shorter, however slowly a robot begins."""
 
@@ -55,71 +53,37 @@ class Rate(Struct, frozen=True):
         return _even(self.top) if self.up == self.down == inf else Ramped(self, asked)
 
 
-def _stops(course: Course, done: float, end: float) -> tuple[float, ...]:
-    stops = list[float]()
-    while done < end:
-        done = min(end, course.next_stop(done))
-        stops.append(done)
-    return tuple(stops)
-
-
-class Course(Protocol):
-    """The distance of a movement over time."""
-
-    def __hash__(self) -> int: ...
-
-    def seconds(self, done: float, further: float) -> float:
-        """The seconds to go ``further`` after ``done``."""
-
-    def further(self, done: float, seconds: float) -> float:
-        """The distance in ``seconds`` after ``done``."""
-
-    def times(self, began: float, done: Sequence[float]) -> list[float]:
-        """The times at which each of these amounts is done, if it began at that time."""
-
-    def next_stop(self, done: float) -> float:
-        """Where a tick of a walk ends that begins after ``done`` steps: at the next whole one at most."""
-
-    def stops(self, done: float, end: float) -> tuple[float, ...]:
-        """Where the ticks of a walk from ``done`` to ``end`` steps end."""
-
-
 class Even:
-    """A course at one speed."""
+    """The distance of a movement over time, at one speed."""
 
     def __init__(self, rate: float) -> None:
         self._rate = rate
-        self._stops: dict[tuple[float, float], tuple[float, ...]] = {}
         self._ticks_a_step = max(1, -floor(-(1.0 / (rate * TICK) - NEARLY)))
 
     def seconds(self, done: float, further: float) -> float:  # noqa: ARG002 -- the same everywhere
+        """The seconds to go ``further`` after ``done``."""
         return further / self._rate
 
     def further(self, done: float, seconds: float) -> float:  # noqa: ARG002 -- the same everywhere
+        """The distance in ``seconds`` after ``done``."""
         return seconds * self._rate
 
     def times(self, began: float, done: Sequence[float]) -> list[float]:
+        """The times at which each of these amounts is done, if it began at that time."""
         rate = self._rate
         return [began + each / rate for each in done]
 
     def next_stop(self, done: float) -> float:
+        """Where a tick of a walk ends that begins after ``done`` steps: at the next whole one at most."""
         ticks = self._ticks_a_step
         return (floor(done * ticks + NEARLY) + 1) / ticks
-
-    def stops(self, done: float, end: float) -> tuple[float, ...]:
-        found = self._stops.get((done, end))
-        if found is None:
-            found = _stops(self, done, end)
-            if len(self._stops) < _MOST_KEPT:
-                self._stops[done, end] = found
-        return found
 
 
 _even = cache(Even)
 
 
 class Ramped:
-    """A course with acceleration and deceleration; a short one never reaches the top speed."""
+    """The same with acceleration and deceleration; a short one never reaches the top speed."""
 
     def __init__(self, rate: Rate, asked: float) -> None:
         slowness = 1.0 / rate.up + 1.0 / rate.down
@@ -147,9 +111,6 @@ class Ramped:
         there = max(done + self.further(done, TICK), done + _FINEST)
         return whole if there > whole - _FINEST else there
 
-    def stops(self, done: float, end: float) -> tuple[float, ...]:
-        return _stops(self, done, end)
-
     def _when(self, way: float) -> float:
         left = self._asked - way
         if left < self._falling:
@@ -166,6 +127,19 @@ class Ramped:
         if when < self._risen:
             return self._up * when**2 / 2.0
         return self._rising + self._top * (when - self._risen)
+
+
+Course: TypeAlias = Even | Ramped
+
+
+@lru_cache(maxsize=1000)
+def walk_stops(course: Course, done: float, end: float) -> tuple[float, ...]:
+    """Where the ticks of a walk from ``done`` to ``end`` steps end."""
+    stops = list[float]()
+    while done < end:
+        done = min(end, course.next_stop(done))
+        stops.append(done)
+    return tuple(stops)
 
 
 STEPS_A_SECOND = 1.0
