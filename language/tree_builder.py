@@ -158,12 +158,9 @@ class TreeBuilder:
         return syntax.Assign(_to(target, value), _name(target), value)
 
     @staticmethod
-    def call_without(called: Token, _opening: Token, closing: Token) -> syntax.Call:
-        return syntax.Call(_tokens_span(called, closing), _name(called), ())
-
-    @staticmethod
-    def call(called: Token, _opening: Token, arguments: list[Any], closing: Token) -> syntax.Call:
-        return syntax.Call(_tokens_span(called, closing), _name(called), tuple(arguments))
+    def call(called: Token, _opening: Token, *rest: Any) -> syntax.Call:
+        *arguments, closing = rest
+        return syntax.Call(_tokens_span(called, closing), _name(called), tuple(*arguments))
 
     @staticmethod
     def speak(word: Token, what: Any) -> syntax.SpeakCommand:
@@ -213,20 +210,10 @@ class TreeBuilder:
     # --- blocks --------------------------------------------------------------------------------------
 
     @staticmethod
-    def if_(word: Token, test: Condition, _then: Token, body: list[Any], end: Token) -> syntax.If:
-        return syntax.If(_tokens_span(word, end), test, tuple(body), None)
-
-    @staticmethod
-    def if_else(
-        word: Token,
-        test: Condition,
-        _then: Token,
-        body: list[Any],
-        _else: Token,
-        other: list[Any],
-        end: Token,
-    ) -> syntax.If:
-        return syntax.If(_tokens_span(word, end), test, tuple(body), tuple(other))
+    def if_(word: Token, test: Condition, _then: Token, body: list[Any], *rest: Any) -> syntax.If:
+        *others, end = rest
+        otherwise = tuple(others[1]) if others else None
+        return syntax.If(_tokens_span(word, end), test, tuple(body), otherwise)
 
     @staticmethod
     def for_(word: Token, start: Any, _1: Token, test: Condition, _2: Token, *rest: Any) -> syntax.For:
@@ -243,14 +230,10 @@ class TreeBuilder:
         return syntax.While(_tokens_span(word, end), test, tuple(body))
 
     @staticmethod
-    def procedure(word: Token, new: Token, _do: Token, body: list[Any], end: Token) -> syntax.Procedure:
-        return syntax.Procedure(_tokens_span(word, end), _name(new), (), tuple(body))
-
-    @staticmethod
-    def procedure_with(
-        word: Token, new: Token, _colon: Token, names: list[Name], _do: Token, body: list[Any], end: Token
-    ) -> syntax.Procedure:
-        return syntax.Procedure(_tokens_span(word, end), _name(new), tuple(names), tuple(body))
+    def procedure(word: Token, new: Token, *rest: Any) -> syntax.Procedure:
+        *parameters, _do, body, end = rest
+        names = tuple(parameters[1]) if parameters else ()
+        return syntax.Procedure(_tokens_span(word, end), _name(new), names, tuple(body))
 
 
 def _name(token: Token) -> Name:
