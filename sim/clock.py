@@ -19,10 +19,10 @@ from contextlib import suppress
 from enum import Enum, auto
 from heapq import heapify, heappop, heappush, heapreplace
 from math import hypot, inf
-from typing import Protocol
+from typing import TypeAlias
 
 from devices.ports.robot import Pace
-from sim.geometry import Edge, Placement, edges_apart, nearest_on_edge
+from sim.geometry import Edge, Placement, edges_apart, point_apart
 
 Now = tuple[float, float]
 """The world's time, and the rank of the robot whose turn it is."""
@@ -90,8 +90,7 @@ class Glide:
 
     def is_near(self, x: float, y: float, reach: float) -> bool:
         """Whether something within ``reach`` of a place may be too near to its way."""
-        ax, ay, bx, by = self.way
-        return hypot(*nearest_on_edge((ax - x, ay - y, bx - x, by - y))) < self.guard + reach
+        return point_apart(x, y, self.way) < self.guard + reach
 
     def is_near_way(self, way: Edge, reach: float) -> bool:
         """Whether something within ``reach`` of another way may be too near to its own."""
@@ -153,16 +152,13 @@ class Turns:
             heapify(self.queue)
 
     def expect(self, seats: Iterable[Seat]) -> None:
-        """Let seats take part from the same moment on, whenever their programs come."""
+        """Let seats take part from the same moment on, whenever their programs come; those that do stay."""
         with self.lock:
             for seat in seats:
-                self._admit(seat)
-            self._appoint()
-
-    def admit(self, seat: Seat) -> None:
-        """Let a seat take part from now on, unless it does already."""
-        with self.lock:
-            self._admit(seat)
+                if not seat.takes_part:
+                    seat.takes_part = True
+                    seat.time = self.present
+                    heappush(self.queue, (seat.time, seat.rank, seat))
             self._appoint()
 
     def dismiss(self, seat: Seat) -> None:
@@ -198,24 +194,10 @@ class Turns:
         _, _, self.holder = following = heapreplace(self.queue, (holder.time, holder.rank, holder))
         return following[2]
 
-    def _admit(self, seat: Seat) -> None:
-        if not seat.takes_part:
-            seat.takes_part = True
-            seat.time = self.present
-            heappush(self.queue, (seat.time, seat.rank, seat))
-
     def _appoint(self) -> None:
         if self.holder is None and self.queue:
             _, _, self.holder = heappop(self.queue)
             self.holder.wake()
-
-
-class TurnGate(Protocol):
-    """A thread waits here until another one opens it. Each opening lets one wait pass, this or the next."""
-
-    def wait(self) -> None: ...
-
-    def open(self) -> None: ...
 
 
 class LockGate:
@@ -253,6 +235,9 @@ class EventGate:
     def open(self) -> None:
         os.write(self._file, _ONE)
 
+
+TurnGate: TypeAlias = LockGate | EventGate
+"""A thread waits here until another one opens it. Each opening lets one wait pass, this or the next."""
 
 _ONE = (1).to_bytes(8, sys.byteorder)
 MOST_EVENTS = 200
@@ -351,43 +336,44 @@ class Clock:
         """``seat``: its place among the robots of its world; without it the robot is alone."""
         self.speed = speed
         self.seconds = 0.0
+        self.seat = seat or Seat(Turns(), 0)
+        """Its place among the robots of its world."""
         self._pace = pace
         self._halted = False
-        self._seat = seat or Seat(Turns(), 0)
-        self._turns = self._seat.turns
+        self._turns = self.seat.turns
         self._joined_at = 0.0
         """What the world's time is ahead of this clock's."""
 
     def join(self) -> None:
         """Take part in the world's order; returns when it is this robot's turn, or after a stop."""
-        self._turns.admit(self._seat)
-        self._joined_at = self._seat.time - self.seconds
+        self._turns.expect((self.seat,))
+        self._joined_at = self.seat.time - self.seconds
         self.begin()
 
     def leave(self) -> None:
         """Take part no more."""
-        self._turns.dismiss(self._seat)
+        self._turns.dismiss(self.seat)
 
     @property
     def takes_part(self) -> bool:
         """Whether this robot takes part in the world's order."""
-        return self._seat.takes_part
+        return self.seat.takes_part
 
     @property
     def has_company(self) -> bool:
         """Whether another robot takes part in the world's order."""
-        return self._turns.has_others(self._seat)
+        return self._turns.has_others(self.seat)
 
     def halt(self) -> None:
         """End the current command. From any thread."""
         self._halted = True
-        self._seat.nudge()
+        self.seat.nudge()
 
     def begin(self) -> bool:
         """Begin a command, which ends an earlier halt. False if it must stop before its turn comes."""
         self._halted = False
         time = self.seconds + self._joined_at
-        return self._seat.is_next(time) or self._take_turn()
+        return self.seat.is_next(time) or self._take_turn()
 
     def is_active(self) -> bool:
         """Whether the command may continue; takes no time."""
@@ -400,24 +386,24 @@ class Clock:
 
     def undisturbed(self) -> float:
         """Seconds in which no other robot can act."""
-        until = self._seat.free_until()
+        until = self.seat.free_until()
         return until if until == inf else until - self._joined_at - self.seconds
 
     @property
     def others_glide(self) -> bool:
         """Whether another robot glides, so that one may act at any time."""
-        return bool(self._turns.glides and self._turns.queue) and self._seat.takes_part
+        return bool(self._turns.glides and self._turns.queue) and self.seat.takes_part
 
     def may_leap(self) -> bool:
         """Whether time may be spent at once: no other robot waits or takes part."""
-        seat, turns = self._seat, self._turns
+        seat, turns = self.seat, self._turns
         return self.speed is None and (not seat.takes_part or (not turns.queue and turns.holder is seat))
 
     def leap(self, seconds: float) -> None:
         """Begins a command and spends its time at once."""
         self._halted = False
         self.seconds += seconds
-        if self._seat.takes_part:
+        if self.seat.takes_part:
             self._turns.present = self.seconds + self._joined_at
 
     def spend(
@@ -450,7 +436,7 @@ class Clock:
         if not self.is_active():
             return False
         began = self.seconds
-        if not self._seat.takes_part:
+        if not self.seat.takes_part:
             seconds = time - began
             return self.spend(seconds, (), end=time) >= seconds
         self.seconds = time
@@ -459,11 +445,6 @@ class Clock:
         self.seconds = min(self.seconds, max(began, self._turns.present - self._joined_at))
         return False
 
-    @property
-    def seat(self) -> Seat:
-        """Its place among the robots of its world."""
-        return self._seat
-
     def in_the_world(self, times: Sequence[float]) -> Sequence[float]:
         """The world's times at times of this robot."""
         joined_at = self._joined_at
@@ -471,7 +452,7 @@ class Clock:
 
     def follow(self, glide: Glide, last: float) -> Landing:
         """Let the others act until a glide is over, at the time ``last``."""
-        began, turns, seat = self.seconds, self._turns, self._seat
+        began, turns, seat = self.seconds, self._turns, self.seat
         self.seconds = last
         turns.glides[seat] = glide
         if self._take_turn() and self._catch_up():
@@ -486,7 +467,7 @@ class Clock:
     def cut(self, end: float) -> None:
         """The glide ends at that time. Under the lock."""
         self.seconds = end
-        self._seat.time = end + self._joined_at
+        self.seat.time = end + self._joined_at
 
     def was_halted(self) -> bool:
         """Whether a stop ended the last command."""
@@ -502,14 +483,14 @@ class Clock:
             self.seconds = began + spent
             if speed is not None and passing is not None:
                 passing(spent)
-            if self._seat.takes_part and not self._advance_world_time():
+            if self.seat.takes_part and not self._advance_world_time():
                 break
         return spent
 
     def _advance_world_time(self) -> bool:
         """Set the world's time to this robot's. False if another robot has joined that acts first."""
         self._turns.present = time = self.seconds + self._joined_at
-        return self._seat.is_next(time)
+        return self.seat.is_next(time)
 
     def _rests(self, seconds: float) -> bool:
         """Sleep; the pace's answer is kept until the next command."""
@@ -520,7 +501,7 @@ class Clock:
 
     def _take_turn(self) -> bool:
         time = self.seconds + self._joined_at
-        return self._seat.is_next(time) or (self._rests(0.0) and self._seat.take(time, self.was_halted))
+        return self.seat.is_next(time) or (self._rests(0.0) and self.seat.take(time, self.was_halted))
 
     def _catch_up(self) -> bool:
         """Wait until real time reaches this robot's time."""

@@ -394,10 +394,11 @@ def edges_apart(mine: Edge, other: Edge) -> float:
     if along(mine, other) <= 1.0:
         return 0.0
     ends = ((mine, other), (other, mine))
-    return min(_point_apart(edge[i], edge[i + 1], against) for edge, against in ends for i in (0, 2))
+    return min(point_apart(edge[i], edge[i + 1], against) for edge, against in ends for i in (0, 2))
 
 
-def _point_apart(x: float, y: float, edge: Edge) -> float:
+def point_apart(x: float, y: float, edge: Edge) -> float:
+    """The distance of a point from an edge."""
     ax, ay, bx, by = edge
     return hypot(*nearest_on_edge((ax - x, ay - y, bx - x, by - y)))
 

@@ -26,8 +26,8 @@ def test_the_first_robot_of_the_world_gets_the_turn_at_equal_times() -> None:
 def test_an_earlier_robot_gives_way_to_the_first_of_the_world_at_equal_times() -> None:
     turns = Turns()
     alice, bob = Seat(turns, 0), Seat(turns, 1)
-    turns.admit(bob)
-    turns.admit(alice)
+    turns.expect([bob])
+    turns.expect([alice])
     assert turns.holder is bob, "it was alone"
 
     assert not bob.is_next(0.0)
@@ -54,7 +54,7 @@ def test_a_robot_that_joins_begins_at_the_time_to_which_another_has_leapt() -> N
     alice.leap(2.5)
     alice.reset()
     alice.leap(1.5)
-    turns.admit(bob)
+    turns.expect([bob])
 
     assert (alice.seconds, bob.time) == (1.5, 4.0)
     assert alice.undisturbed() == 0.0
@@ -99,8 +99,8 @@ def test_the_world_knows_which_robot_has_the_turn_while_others_wait() -> None:
     turns.present = 1.5
     assert turns.now() == (1.5, inf)
 
-    turns.admit(alice)
-    turns.admit(alice)
+    turns.expect([alice])
+    turns.expect([alice])
     assert (turns.has_others(alice), turns.has_others(bob), turns.held_by()) == (False, True, None)
     assert alice.free_until() == bob.free_until() == inf
 
@@ -128,7 +128,7 @@ def test_a_robot_is_undisturbed_until_the_next_one_can_act() -> None:
     assert list(alice.in_the_world([1.0, 2.0])) == [4.0, 5.0]
 
     turns.present = 7.0
-    turns.admit(bob)
+    turns.expect([bob])
     assert (alice.undisturbed(), alice.has_company, alice.others_glide) == (4.0, True, False)
 
     turns.glides[bob] = glide(Clock(Unpaced(), None, bob))
@@ -317,7 +317,7 @@ def test_the_turn_passes_to_the_least_time_whichever_robot_leaves(leaves: str) -
     for rank, (name, time) in enumerate((("alice", 0.0), ("bob", 0.5), ("late", 10.0), ("early", 1.0))):
         turns.present = time
         seats[name] = Seat(turns, rank)
-        turns.admit(seats[name])
+        turns.expect([seats[name]])
 
     turns.dismiss(seats[leaves])
     turns.dismiss(seats["bob" if leaves == "alice" else "alice"])
@@ -380,7 +380,7 @@ def test_the_time_of_a_robot_and_of_its_world_pass_together() -> None:
     assert clock.elapse_until(4.0)
     assert (clock.seconds, turns.present) == (4.0, 7.0)
     turns.present = 9.0
-    turns.admit(other)
+    turns.expect([other])
     assert clock.undisturbed() == 2.0
     clock.reset()
     assert (clock.seconds, clock.undisturbed(), list(clock.in_the_world([1.0]))) == (0.0, 2.0, [8.0])
@@ -487,7 +487,7 @@ def test_another_robot_that_acts_first_ends_a_slice() -> None:
     alice, bob = Clock(Unpaced(), 2.0, Seat(turns, 0)), Seat(turns, 1)
     alice.join()
     turns.present = 0.15
-    turns.admit(bob)
+    turns.expect([bob])
     turns.present = 0.0
 
     assert alice.spend(1.0, [], passed.append) == pytest.approx(0.2)
