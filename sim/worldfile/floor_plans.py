@@ -28,7 +28,7 @@ from donnie_tui.process.confinement import open_bytes
 from sim.scene import NoteKind, Polygon
 from sim.worldfile.entities import FileReader, Setting, resolved
 from sim.worldfile.mistakes import Code
-from sim.worldfile.values import ValueReader, mistake
+from sim.worldfile.values import ValueReader, mistake, named_file
 
 _SET = re.compile(b"\1")
 
@@ -149,22 +149,11 @@ class Plans:
         if not name:
             self._values.note(NoteKind.WARNING, "empty-bitmap", setting)
             return NOTHING
-        path = self._path(setting, name)
+        path = resolved(named_file(self._reader, setting, name, Code.BITMAP_NOT_FOUND, Code.BITMAP_OUTSIDE))
         if path not in self._traced:
             self._reader.pictures.append(str(path))
             self._traced[path] = self._trace(setting, path, name, min(size[:2]))
         return self._traced[path]
-
-    def _path(self, setting: Setting, name: str) -> Path:
-        path = self._reader.find(name, Path(setting.file))
-        if path is None:
-            is_special = self._reader.is_special(name, Path(setting.file))
-            code = Code.NO_FILE if is_special else Code.BITMAP_NOT_FOUND
-            raise mistake(code, setting, path=name[:200])
-        if not self._reader.is_allowed(path):
-            folder = self._reader.folder_outside(path)
-            raise mistake(Code.BITMAP_OUTSIDE, setting, path=name[:200], folder=folder)
-        return resolved(path)
 
     def _trace(self, setting: Setting, path: Path, name: str, side: float) -> Plan:
         picture, solid = self._simplified(self._picture(setting, path, name), setting, name, side)

@@ -28,7 +28,7 @@ from sim.worldfile.build import Builder
 from sim.worldfile.entities import Entity, Expander, FileReader, Placed, Setting, resolved
 from sim.worldfile.floor_plans import USUAL_RESOLUTION, Plans
 from sim.worldfile.mistakes import Code, WorldError
-from sim.worldfile.values import ValueReader, mistake, plain
+from sim.worldfile.values import ValueReader, mistake, named_file, plain
 
 MOST = 50
 """Robots that are looked at."""
@@ -359,15 +359,7 @@ class _Drivers:
 
     def _found(self, setting: Setting, reader: FileReader) -> Path:
         name = self._values.string({"worldfile": setting}, "worldfile", "")
-        path = reader.find(name, Path(setting.file))
-        if path is None:
-            is_special = reader.is_special(name, Path(setting.file))
-            code = Code.NO_FILE if is_special else Code.FILE_NOT_FOUND
-            raise mistake(code, setting, path=name[:200])
-        if not reader.is_allowed(path):
-            folder = reader.folder_outside(path)
-            raise mistake(Code.INCLUDE_OUTSIDE, setting, path=name[:200], folder=folder)
-        return path
+        return named_file(reader, setting, name, Code.FILE_NOT_FOUND, Code.INCLUDE_OUTSIDE)
 
     def _addresses(self, settings: Mapping[str, Setting]) -> tuple[Address, ...]:
         setting = settings.get("provides")

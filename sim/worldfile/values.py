@@ -6,13 +6,14 @@ import re
 from collections.abc import Mapping
 from difflib import get_close_matches
 from math import degrees
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sim.colours import FAMILIES, Colour, colour_of, folded, nearest_name, rgb
 from sim.geometry import Placement
 from sim.scene import Note, NoteKind
 from sim.worldfile import parser
-from sim.worldfile.entities import Setting
+from sim.worldfile.entities import FileReader, Setting
 from sim.worldfile.mistakes import Code, WorldError
 
 if TYPE_CHECKING:
@@ -102,9 +103,7 @@ class ValueReader:
 
     def string(self, settings: Mapping[str, Setting], name: str, default: str) -> str:
         setting = settings.get(name)
-        if setting is None:
-            return default
-        return self._string(setting, self._first(setting, "string"))
+        return default if setting is None else self._string(setting, self._first(setting, "string"))
 
     def number(self, settings: Mapping[str, Setting], name: str, default: float) -> float:
         setting = settings.get(name)
@@ -123,12 +122,7 @@ class ValueReader:
         return default if setting is None else self._length(setting, self._first(setting, "number"))
 
     def angle(self, settings: Mapping[str, Setting], name: str, default: float) -> float:
-        setting = settings.get(name)
-        return (
-            default
-            if setting is None
-            else self._number(setting, self._first(setting, "number")) * self.degrees
-        )
+        return self.number(settings, name, 0.0) * self.degrees if name in settings else default
 
     def size(
         self, settings: Mapping[str, Setting], default: tuple[float, float, float]
@@ -347,6 +341,17 @@ def mistake(
     """A mistake in the value of a property."""
     value = setting.property.value
     return WorldError(code, setting.file, value.line, value.column, expected, **details)
+
+
+def named_file(reader: FileReader, setting: Setting, name: str, missing: Code, outside: Code) -> Path:
+    """The file that a property names; ``missing`` and ``outside`` are its mistakes."""
+    path = reader.find(name, Path(setting.file))
+    if path is None:
+        code = Code.NO_FILE if reader.is_special(name, Path(setting.file)) else missing
+        raise mistake(code, setting, path=name[:200])
+    if not reader.is_allowed(path):
+        raise mistake(outside, setting, path=name[:200], folder=reader.folder_outside(path))
+    return path
 
 
 def plain(value: parser.Value) -> float | str | tuple[object, ...]:
