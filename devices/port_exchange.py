@@ -12,9 +12,8 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import closing, contextmanager, suppress
 from enum import Enum, auto
-from threading import Event
 from time import monotonic
 from typing import Protocol
 
@@ -22,7 +21,7 @@ from msgspec import Struct
 
 from devices.belt import BAUD as BELT_BAUD
 from devices.belt import RESYNC, ComplaintFinder
-from devices.serial_ports import GONE, PortFault, PortProblem, SerialPort, reason_of
+from devices.serial_ports import GONE, PortFault, PortProblem, SerialPort, pause, reason_of
 from devices.wire.frames import BAUD as ROBOT_BAUD
 from devices.wire.frames import CONFIGURE, FILLER, STOP, ConfigWanted, Decoder, Encoders, Power, Report
 from devices.wire.telemetry import unwrapped
@@ -57,10 +56,6 @@ def _gone_is_a_problem(address: str) -> Iterator[None]:
 
 def _never() -> bool:
     return False
-
-
-def _pause(seconds: float) -> None:
-    Event().wait(seconds)
 
 
 def _run(
@@ -202,8 +197,7 @@ def identify(
     Opening the port restarts a board on USB. Nothing moves. Any thread may give the exchange up; then the
     result means nothing.
     """
-    port = open_port(address, ROBOT_BAUD)
-    try:
+    with closing(open_port(address, ROBOT_BAUD)) as port:
         robot = RobotIdentification(factor)
         _run(robot, port, address, now, is_given_up)
         if robot.is_robot:
@@ -213,8 +207,6 @@ def identify(
         belt = BeltIdentification(factor)
         _run(belt, port, address, now, is_given_up)
         return IdentifiedDevice(DeviceKind.BELT if belt.is_belt else DeviceKind.NOTHING)
-    finally:
-        port.close()
 
 
 # --- stop a robot whose program is gone
@@ -344,13 +336,11 @@ def halt(
             raise
         _stop_shared_port(address, open_port)
         return HaltOutcome.IN_USE
-    try:
+    with closing(port):
         outcome = _stop(port, address, now, factor)
         if outcome in (HaltOutcome.UNCONFIRMED, HaltOutcome.DRIVES) and by_force():
             outcome = _stop(port, address, now, factor)
         return outcome
-    finally:
-        port.close()
 
 
 RETURNS = 60.0
@@ -369,7 +359,7 @@ def halt_when_back(
     stop: Callable[[], HaltOutcome],
     *,
     now: Clock = monotonic,
-    pause: Callable[[float], object] = _pause,
+    pause: Callable[[float], object] = pause,
     on_absent: Callable[[], object] = _never,
 ) -> HaltOutcome:
     """What ``stop`` says once the port is there, within a minute. Raises its last ``PortProblem``.
@@ -403,11 +393,8 @@ def guard(address: str, open_port: Callable[..., SerialPort] = open_exchange_por
 
 
 def _halt_alone(address: str, open_port: Callable[..., SerialPort]) -> HaltOutcome:
-    port = open_port(address, ROBOT_BAUD)
-    try:
+    with closing(open_port(address, ROBOT_BAUD)) as port:
         return _stop(port, address, monotonic)
-    finally:
-        port.close()
 
 
 def _stop(port: SerialPort, address: str, now: Clock, factor: float = 1.0) -> HaltOutcome:
@@ -418,14 +405,12 @@ def _stop(port: SerialPort, address: str, now: Clock, factor: float = 1.0) -> Ha
 
 def _stop_shared_port(address: str, open_port: Callable[..., SerialPort]) -> None:
     """The other program's bytes come between our frames at most, not into them."""
-    port = open_port(address, ROBOT_BAUD, exclusive=False)
-    try:
-        port.write(STOP)
-        port.write(STOP)
-    except GONE as error:
-        raise PortProblem(address, PortFault.BUSY, reason_of(error)) from None
-    finally:
-        port.close()
+    with closing(open_port(address, ROBOT_BAUD, exclusive=False)) as port:
+        try:
+            port.write(STOP)
+            port.write(STOP)
+        except GONE as error:
+            raise PortProblem(address, PortFault.BUSY, reason_of(error)) from None
 
 
 NOT_NEEDED = b"not needed"

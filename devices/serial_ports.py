@@ -190,6 +190,11 @@ class SerialPort:
             self._port.close()
 
 
+def pause(seconds: float) -> None:
+    """Wait so long; nothing shortens it, as a reset pulse needs its full length."""
+    threading.Event().wait(seconds)
+
+
 def _is_usable(address: str) -> bool:
     """Whether it is a device, or an address of the network with a port number.
 

@@ -17,7 +17,7 @@ from typing import Protocol
 
 from devices.board_reset import AUTOMATIC, BoardReset, reset_of
 from devices.ports.robot import LinkNotice, RobotProblem
-from devices.serial_ports import GONE, Notifier, PortProblem, SerialPort, reason_of
+from devices.serial_ports import GONE, Notifier, PortProblem, SerialPort, pause, reason_of
 from devices.wire.connection import BoardConnection, PortAction, Write
 from devices.wire.frames import BAUD, STOP, MotorDrive, Wiring
 from devices.wire.link_state import LinkConfig, LinkState
@@ -104,11 +104,6 @@ class RobotLink(Protocol):
 def open_board_port(address: str) -> SerialPort:
     """A robot's port, open at its speed. Raises ``PortProblem``."""
     return SerialPort(address, BAUD)
-
-
-def _pause(seconds: float) -> None:
-    """Not shortened when the link is closed meanwhile: a reset pulse needs its full length."""
-    threading.Event().wait(seconds)
 
 
 class ConnectionState:
@@ -229,7 +224,7 @@ class SerialLink(ConnectionState):
             with self._lock:
                 if self._connection.is_stop_over:
                     return
-            _pause(POLL)
+            pause(POLL)
 
     def wait_until_notified(self) -> None:
         self._notifier.wait()
@@ -338,7 +333,7 @@ class SerialLink(ConnectionState):
                         self._port.write(data)
                 case PortAction.RESET:
                     if self._port is not None:
-                        self._reset.pull(self._port, _pause)
+                        self._reset.pull(self._port, pause)
                     with self._lock:
                         self._connection.forced(self.now())
                 case PortAction.REOPEN:

@@ -10,7 +10,6 @@ import threading
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
-from threading import Event
 from time import monotonic
 from typing import Any
 
@@ -25,7 +24,7 @@ from devices.port_exchange import (
     halt_when_back,
     identify,
 )
-from devices.serial_ports import FoundPort, PortProblem, list_ports
+from devices.serial_ports import FoundPort, PortProblem, list_ports, pause
 from devices.wire.link_state import LinkConfig
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Input
@@ -130,14 +129,10 @@ _CODE_OF = {
 """The exit codes; only a robot that certainly stands counts as stopped."""
 
 
-def _pause(seconds: float) -> None:
-    Event().wait(seconds)
-
-
 def stop(
     order: Order,
     halted: Callable[..., HaltOutcome] = halt,
-    pause: Callable[[float], object] = _pause,
+    pause: Callable[[float], object] = pause,
 ) -> int:
     """Stop the robot, and report its state. ``--wait`` waits for its port."""
     waits = order.invocation.arguments.wait
@@ -188,4 +183,4 @@ def _halt_and_report(
 def _pull_pin(settings: Settings, port: str) -> bool:
     """Reset the board by the pin; a reset by DTR was done when the port was opened."""
     reset = reset_of(settings.reset_line, port)
-    return isinstance(reset, GpioReset) and reset.pull(None, Event().wait)
+    return isinstance(reset, GpioReset) and reset.pull(None, pause)

@@ -70,7 +70,7 @@ class Stepped:
         return opened
 
     def pull(self, port: object, pause: Pause) -> bool:
-        assert pause is module._pause
+        assert pause is module.pause
         self.pulled.append(port)
         return True
 
@@ -230,7 +230,7 @@ def test_a_stop_is_waited_for_as_long_as_all_that_can_be_done_may_take(
         paused.append(seconds)
         made.now += 1.0
 
-    monkeypatch.setattr(module, "_pause", pause)
+    monkeypatch.setattr(module, "pause", pause)
     if is_driving:
         made.link.drive(made.link.permit(), MotorDrive.FORWARD, 500.0)
         made.link.stop()
