@@ -119,7 +119,7 @@ class NumberSizes:
         return most + 1
 
     def _of_new_value(self, variable: Variable, scope: int, value: Expression) -> float:
-        terms = tuple(_terms(value))
+        terms = tuple(_parts(value, "+-"))
         own = sum(isinstance(term, Name) and (scope, term.name) == variable for term in terms)
         if own > 1:
             return inf
@@ -137,41 +137,28 @@ class NumberSizes:
             case syntax.NumberLiteral(value=value):
                 return value.bit_length()
             case Binary(operator="*"):
-                return sum(self._of_factor(scope, factor) for factor in _factors(term))
+                return sum(self._of_factor(scope, factor) for factor in _parts(term, "*"))
             case _:
                 return SENSOR_BITS
 
     def _of_factor(self, scope: int, factor: Expression) -> float:
-        terms = tuple(_terms(factor))
+        terms = tuple(_parts(factor, "+-"))
         return max(self._of_term(scope, term) for term in terms) + len(terms).bit_length()
 
 
-def _terms(expression: Expression) -> Iterator[Expression]:
-    """The terms of a sum; a quotient counts as its dividend."""
+def _parts(expression: Expression, operators: str) -> Iterator[Expression]:
+    """The terms of a sum (``+-``) or the factors of a product (``*``); a quotient counts as its dividend."""
     pending = [expression]
     while pending:
         match pending.pop():
-            case Binary(operator="+" | "-", left=left, right=right):
+            case Binary(operator=operator, left=left, right=right) if operator in operators:
                 pending += (left, right)
             case Binary(operator="/", left=left):
                 pending.append(left)
-            case syntax.Negative(operand=operand):
+            case syntax.Negative(operand=operand) if operators == "+-":
                 pending.append(operand)
-            case term:
-                yield term
-
-
-def _factors(product: Expression) -> Iterator[Expression]:
-    """The factors of a product; a quotient counts as its dividend."""
-    pending = [product]
-    while pending:
-        match pending.pop():
-            case Binary(operator="*", left=left, right=right):
-                pending += (left, right)
-            case Binary(operator="/", left=left):
-                pending.append(left)
-            case factor:
-                yield factor
+            case part:
+                yield part
 
 
 class NonNegatives:
