@@ -23,9 +23,9 @@ def check(program: Program, *, whole: bool = True) -> tuple[Diagnostic, ...]:
     found = [*_unused_values(program), *_negative_steps(program)]
     if whole:
         scopes = scopes_of(Scope(program, None))
-        mistakes = [*_undeclared_variables(scopes), *_wrong_calls(scopes), *_terminal_only(scopes)]
-        found += [replace(mistake, severity=Severity.HINT) for mistake in mistakes]
-    return tuple(sorted(found, key=lambda hint: hint.span.start))
+        found += [*_undeclared_variables(scopes), *_wrong_calls(scopes), *_terminal_only(scopes)]
+    found.sort(key=lambda mistake: mistake.span.start)
+    return tuple(replace(mistake, severity=Severity.HINT) for mistake in found)
 
 
 # --- commands that do nothing -------------------------------------------------------------------------
@@ -37,14 +37,8 @@ def _unused_values(program: Program) -> Iterator[Diagnostic]:
     for statement in unused:
         word, value = _sensor(statement.value, language)
         speak = spelling("SPEAK", language)
-        yield Diagnostic(
-            MistakeKind.UNUSED_VALUE,
-            statement.span,
-            found=program.typed(statement.span),
-            meant=f"{speak} {value}",
-            details={"word": word, "speak": speak, "value": value},
-            severity=Severity.HINT,
-        )
+        details = {"word": word, "speak": speak, "value": value}
+        yield mistake_at(program, statement.span, MistakeKind.UNUSED_VALUE, details, f"{speak} {value}")
 
 
 def _negative_steps(program: Program) -> Iterator[Diagnostic]:
@@ -56,10 +50,8 @@ def _negative_steps(program: Program) -> Iterator[Diagnostic]:
             ) if steps:
                 is_forward = direction is syntax.Direction.FORWARD
                 other = spelling("BW" if is_forward else "FW", _language_of(program))
-                typed = program.typed(each.span)
-                meant = f"{other} {steps}"
-                yield Diagnostic(
-                    MistakeKind.UNUSED_VALUE, each.span, "steps", typed, meant=meant, severity=Severity.HINT
+                yield mistake_at(
+                    program, each.span, MistakeKind.UNUSED_VALUE, {}, f"{other} {steps}", "steps"
                 )
 
 

@@ -80,10 +80,15 @@ class Diagnostic(Struct, frozen=True):
 
 
 def mistake_at(
-    program: Program, span: Span, kind: MistakeKind, details: Mapping[str, str | int], meant: str = ""
+    program: Program,
+    span: Span,
+    kind: MistakeKind,
+    details: Mapping[str, str | int],
+    meant: str = "",
+    code: str = "",
 ) -> Diagnostic:
     """A mistake in a program that can be read; ``found`` is its text."""
-    return Diagnostic(kind, span, found=program.typed(span), meant=meant, details=details)
+    return Diagnostic(kind, span, code, program.typed(span), meant=meant, details=details)
 
 
 class CallSite(Struct, frozen=True):

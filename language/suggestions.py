@@ -13,7 +13,6 @@ from collections.abc import Collection, Iterable, Sequence
 from functools import cache, lru_cache
 
 from msgspec import Struct
-from msgspec.structs import replace
 
 from language.diagnostics import Diagnostic, MistakeKind, mistake_at
 from language.keywords import (
@@ -334,8 +333,7 @@ def _number_in_letters(program: Program, name: Name, digits: str) -> Diagnostic:
     before = re.search(r"[^\W\d_]+[ \t]+\Z", program.source[: name.span.start])
     written = f"{before[0] if before else ''}{digits}"
     details = {"name": _typed(program, name), "written": " ".join(written.split())}
-    mistake = mistake_at(program, name.span, MistakeKind.UNDECLARED_VARIABLE, details, digits)
-    return replace(mistake, code="number-word")
+    return mistake_at(program, name.span, MistakeKind.UNDECLARED_VARIABLE, details, digits, "number-word")
 
 
 def _spoken_alone(program: Program, name: Name) -> str:
@@ -351,8 +349,7 @@ def _text_without_quotes(program: Program, name: Name, speak: str) -> Diagnostic
     typed = _typed(program, name)
     text = f'"{typed}"'
     details: dict[str, str | int] = {"name": typed, "written": f"{speak} {text}"}
-    mistake = mistake_at(program, name.span, MistakeKind.UNDECLARED_VARIABLE, details, text)
-    return replace(mistake, code="spoken")
+    return mistake_at(program, name.span, MistakeKind.UNDECLARED_VARIABLE, details, text, "spoken")
 
 
 def undeclared_procedure(
