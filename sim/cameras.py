@@ -115,22 +115,6 @@ class View(Struct, frozen=True):
         return Sight(root, low, high, metres, colour)
 
 
-class Eyes(Struct, frozen=True):
-    """All the cameras of a robot."""
-
-    views: tuple[View, ...]
-
-    def look(self, around: Around, spot: Spot) -> tuple[Seen, ...]:
-        """Every visible thing once, from left to right, as seen by the camera to which it is nearest."""
-        nearest: dict[int, Seen] = {}
-        for view in self.views:
-            for seen in view.look(around, spot):
-                known = nearest.get(seen.root)
-                if known is None or seen.centimetres < known.centimetres:
-                    nearest[seen.root] = seen
-        return tuple(sorted(nearest.values(), key=lambda thing: (-thing.degrees, thing.root)))
-
-
 class _Glimpse(Struct, frozen=True):
     """A range of directions, in degrees from the middle of the view, in which one part is visible."""
 

@@ -295,7 +295,7 @@ class SimulatedRobot:
 
     def _sightings(self, vehicle: Vehicle) -> tuple[Sighting, ...]:
         senses, place = vehicle.mover.senses, (vehicle.mover.around, vehicle.here.truth)
-        things = senses.look(*place) if senses.eyes or not senses.finders else ()
+        things = senses.look(*place) if senses.views or not senses.finders else ()
         marks = map(self._sighting_of_mark, senses.marks_ahead(*place))
         return (*map(self._sighting, things), *marks)
 

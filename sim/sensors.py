@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from devices.ports.robot import CENTIMETRES_A_STEP, STEP, Bearing, RobotProblem
-from sim.cameras import HALF_CIRCLE, Eyes, Found, MarkFinder, Seen, View
+from sim.cameras import HALF_CIRCLE, Found, MarkFinder, Seen, View
 from sim.geometry import Placement, Spot, normal, seen_from
 from sim.rangers import Around, Bar, Beams, Cone, Fan, Height, Ranger, fan_angles
 from sim.scene import Model, RangeSensor, Scene
@@ -31,7 +31,8 @@ class Senses(Struct, frozen=True):
     """All the sensors of one robot."""
 
     rangers: tuple[Ranger, ...]
-    eyes: Eyes | None
+    views: tuple[View, ...]
+    """Of its cameras that distinguish colours."""
     finders: tuple[MarkFinder, ...]
     bumpers: tuple[Bar, ...]
     beams: Beams | None
@@ -68,10 +69,19 @@ class Senses(Struct, frozen=True):
         }
 
     def look(self, around: Around, spot: Spot) -> tuple[Seen, ...]:
-        """The coloured things in view, from left to right. RobotProblem ``no-eyes``: it has no blobfinder."""
-        if self.eyes is None:
+        """Every coloured thing in view once, from left to right, as seen by the camera nearest to it.
+
+        RobotProblem ``no-eyes``: it has no blobfinder.
+        """
+        if not self.views:
             raise RobotProblem("no-eyes")
-        return self.eyes.look(around, spot)
+        nearest: dict[int, Seen] = {}
+        for view in self.views:
+            for seen in view.look(around, spot):
+                known = nearest.get(seen.root)
+                if known is None or seen.centimetres < known.centimetres:
+                    nearest[seen.root] = seen
+        return tuple(sorted(nearest.values(), key=lambda thing: (-thing.degrees, thing.root)))
 
     def marks(self, around: Around, spot: Spot) -> tuple[Found, ...]:
         """The marks of the fiducial finders, finder by finder."""
@@ -83,10 +93,6 @@ class Senses(Struct, frozen=True):
         ahead.sort(key=lambda each: (each.number == 0, each.metres))
         once = {each.model: each for each in reversed(ahead)}
         return sorted(once.values(), key=lambda each: (-each.degrees, each.model))
-
-    def pressed(self, around: Around, spot: Spot) -> tuple[bool, ...]:
-        """Whether something touches each bumper."""
-        return tuple(bumper.is_pressed(around, spot) for bumper in self.bumpers)
 
 
 def _steps(rangers: tuple[Ranger, ...], around: Around, spot: Spot, chance: Random | None) -> int:
@@ -109,7 +115,7 @@ def senses_of(scene: Scene, robot: int) -> Senses:
     beams = next((_beams(model, frame) for model in models if model.gripper), None)
     return Senses(
         rangers,
-        _eyes(scene, models, frame, by_bearing),
+        tuple(_views(scene, models, frame, by_bearing)),
         tuple(finders_of(models, frame)),
         tuple(bumpers_of(models, frame)),
         beams,
@@ -152,20 +158,18 @@ def _towards(rangers: tuple[Ranger, ...], bearing: Bearing) -> Iterator[Ranger]:
             yield sector
 
 
-def _eyes(
+def _views(
     scene: Scene,
     models: tuple[Model, ...],
     frame: Placement,
     by_bearing: Mapping[Bearing, tuple[Ranger, ...]],
-) -> Eyes | None:
+) -> Iterator[View]:
     front = max((hypot(each.x, each.y) for each in by_bearing[Bearing.FRONT]), default=0.0)
     turns = _is_donnie(by_bearing)
-    finders = (model for model in models if model.blobfinder is not None)
-    views = tuple(
-        _head_view(model, front) if turns or _on_head(scene, model) else fixed_view(model, frame)
-        for model in finders
-    )
-    return Eyes(views) if views else None
+    for model in models:
+        if model.blobfinder is not None:
+            is_on_head = turns or head_of(model, scene) is not None
+            yield _head_view(model, front) if is_on_head else fixed_view(model, frame)
 
 
 def _head_view(model: Model, front: float) -> View:
@@ -191,14 +195,13 @@ def _is_donnie(by_bearing: Mapping[Bearing, tuple[Ranger, ...]]) -> bool:
     )
 
 
-def _on_head(scene: Scene, model: Model) -> bool:
-    """Whether it is mounted on something of the robot that turns by itself: a position model on it."""
-    above = model.parent
-    while above is not None and above != model.root:
-        if scene.models[above].type == "position":
-            return True
-        above = scene.models[above].parent
-    return False
+def head_of(model: Model, scene: Scene) -> int | None:
+    """The part of a robot that drives by itself and carries this model, if there is any."""
+    while model.parent is not None:
+        if model.wheels is not None:
+            return model.index
+        model = scene.models[model.parent]
+    return None
 
 
 def finders_of(models: tuple[Model, ...], frame: Placement) -> Iterator[MarkFinder]:
@@ -286,7 +289,7 @@ def mounted(scene: Scene, robot: str) -> tuple[Mounted, ...]:
     )
     eyes = (
         _field(Device.EYES, each.x, each.y, each.yaw, 2 * each.half_angle, each.maximum, 0.0, each.offset)
-        for each in (senses.eyes.views if senses.eyes else ())
+        for each in senses.views
     )
     bumpers = (Mounted(Device.BUMPER, 0.0 - normal(each.yaw)) for each in senses.bumpers)
     gripper = [_gripper(senses.beams)] if senses.beams else []

@@ -30,6 +30,7 @@ from sim.geometry import Placement, Spot, relative
 from sim.motion import TOUCHING, TURN_SKIN
 from sim.readings import Instruments
 from sim.scene import Bounds, Drive, Limits, Localization, Model, Wheels
+from sim.sensors import head_of
 from sim.vehicle import Vehicle, Whereabouts
 
 if TYPE_CHECKING:
@@ -138,7 +139,7 @@ class RobotDrive:
         """Where it believes it is, if it counts its wheels' turns."""
         self._mounted: dict[int, _Mounted] = {}
         for each in scene.tree(model.index):
-            head = _head_of(each, scene)
+            head = head_of(each, scene)
             frame = model.pose if head is None else scene.models[head].pose
             self._mounted[each.index] = _Mounted(
                 Instruments((each,), frame), head, relative(frame, model.pose)
@@ -358,15 +359,6 @@ class _Mounted(Struct, frozen=True):
     """The model that turns with them on the robot; None: they are on the robot itself."""
     frame: Placement
     """Where that is on the robot, before it turns."""
-
-
-def _head_of(model: Model, scene: Scene) -> int | None:
-    """The part of a robot that drives by itself and carries this model, if there is any."""
-    while model.parent is not None:
-        if model.wheels is not None:
-            return model.index
-        model = scene.models[model.parent]
-    return None
 
 
 def _within(bounds: Bounds, value: float, seconds: float = 1.0) -> float:

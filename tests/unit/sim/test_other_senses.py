@@ -371,7 +371,7 @@ BUMPERS = (
 def test_a_solid_thing_that_touches_its_bar_presses_a_bumper(wall: str, expected: tuple[bool, ...]) -> None:
     it = Sensing(BUMPERS + f"model( {wall} )")
 
-    assert it.senses.pressed(it.around, it.spot) == expected
+    assert tuple(bar.is_pressed(it.around, it.spot) for bar in it.senses.bumpers) == expected
 
 
 @pytest.mark.parametrize(

@@ -3,10 +3,11 @@
 import pytest
 
 from devices.ports.robot import Bearing, Grip, RobotProblem, StoppedBy
-from sim.cameras import Eyes, Seen
+from sim.cameras import Seen
 from sim.geometry import Spot
 from sim.ground import Looks
 from sim.rangers import Around
+from sim.sensors import Senses
 from sim.world import World
 from tests.unit.sim.floors import BOX_ROBOT, IDEAL, Unpaced, scene
 
@@ -120,13 +121,13 @@ def test_scan_sees_a_thing_at_its_current_place() -> None:
 @pytest.fixture
 def looks(monkeypatch: pytest.MonkeyPatch) -> list[Spot]:
     """Where the cameras looked from."""
-    seen, look = list[Spot](), Eyes.look
+    seen, look = list[Spot](), Senses.look
 
-    def counted(eyes: Eyes, around: Around, spot: Spot) -> tuple[Seen, ...]:
+    def counted(senses: Senses, around: Around, spot: Spot) -> tuple[Seen, ...]:
         seen.append(spot)
-        return look(eyes, around, spot)
+        return look(senses, around, spot)
 
-    monkeypatch.setattr(Eyes, "look", counted)
+    monkeypatch.setattr(Senses, "look", counted)
     return seen
 
 
