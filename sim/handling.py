@@ -165,17 +165,13 @@ class _Joined:
         return nearest
 
     def _moved(self, metres: float) -> list[tuple[Point, ...]]:
-        dx, dy = direction(self._angle)
-        return [_shifted(points, (metres * dx, metres * dy)) for points in self._outlines]
+        dx, dy = (metres * each for each in direction(self._angle))
+        return [tuple((x + dx, y + dy) for x, y in points) for points in self._outlines]
 
 
 def _least_gap(mine: Sequence[Sequence[Edge]], other: Sequence[Edge]) -> float:
     """Metres along x up to which polygons surely don't touch the other one; below 0 where they might."""
     return min(edge[0] for edge in other) - max(edge[0] for edges_ in mine for edge in edges_)
-
-
-def _shifted(points: tuple[Point, ...], by: Point) -> tuple[Point, ...]:
-    return tuple((x + by[0], y + by[1]) for x, y in points)
 
 
 def _gap(
@@ -289,9 +285,7 @@ def _distance(part: Part, place: Spot, beams: Beams) -> float | None:
     clipped = _clipped(points, zone)
     if not clipped:
         return None
-    pairs = zip(clipped, (*clipped[1:], clipped[0]), strict=True)
-    nearest = (nearest_on_edge((*a, *b)) for a, b in pairs)
-    return min(hypot(x, y) for x, y in nearest)
+    return min(hypot(*nearest_on_edge(edge)) for edge in edges(clipped))
 
 
 def _clipped(points: tuple[Point, ...], zone: tuple[float, float, float, float]) -> tuple[Point, ...]:
