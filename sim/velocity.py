@@ -8,7 +8,7 @@ at once. Both come to the same place, because the chords of an arc end on the ar
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from math import atan2, ceil, degrees, hypot, isfinite, radians, sin, tan
 from random import Random
 from typing import TYPE_CHECKING
@@ -55,20 +55,16 @@ class VelocityLoop:
         self._ticks = 0
         self.is_paused = False
         """Whether time stands still."""
-        self._drives: dict[str, RobotDrive] = {}
+        self.drives: dict[str, RobotDrive] = {}
+        """The robots by name, in the order of the world."""
         for name in world.scene.robot_names:
             chance = Random(f"{world.seed} {name}") if world.seed else None
-            self._drives[name] = RobotDrive(world, name, chance)
+            self.drives[name] = RobotDrive(world, name, chance)
 
     @property
     def scene(self) -> Scene:
         """The scene with its changes, except the places of things."""
         return self._world.scene
-
-    @property
-    def drives(self) -> Mapping[str, RobotDrive]:
-        """The robots by name, in the order of the world."""
-        return self._drives
 
     @property
     def time(self) -> float:
@@ -79,7 +75,7 @@ class VelocityLoop:
         """Run a tick: take the velocities, then move all robots."""
         if self.is_paused:
             return
-        moving = [each for each in self._drives.values() if each.begin_tick()]
+        moving = [each for each in self.drives.values() if each.begin_tick()]
         if moving:
             count = min(MOST, max(each.substeps() for each in moving))
             for each in moving:
@@ -91,15 +87,15 @@ class VelocityLoop:
 
     def pose(self, name: str) -> MetricPose:
         """The pose of a robot or a top-level thing. KeyError if there is none."""
-        if name in self._drives:
-            return self._drives[name].state().truth
+        if name in self.drives:
+            return self.drives[name].state().truth
         model, ground = self._model(name), self._world.ground
         return _metric(ground.place(model.index) if model.index in ground.movable else model.pose)
 
     def put(self, name: str, pose: MetricPose) -> None:
         """Put a robot or a movable thing to a pose. KeyError for anything else."""
-        if name in self._drives:
-            self._drives[name].set_pose(pose)
+        if name in self.drives:
+            self.drives[name].set_pose(pose)
             return
         model, ground = self._model(name), self._world.ground
         if model.index not in ground.movable:
@@ -113,7 +109,7 @@ class VelocityLoop:
     def reset(self) -> None:
         """Put all robots and things to their starts. Velocities stay."""
         self._world.reset()
-        for drive in self._drives.values():
+        for drive in self.drives.values():
             drive.set_odometry(MetricPose())
 
     def _model(self, name: str) -> Model:

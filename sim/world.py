@@ -32,9 +32,10 @@ class World:
         """``seed``: of whatever is drawn by lot; 0 draws nothing, all is exact. ``looks``: see ``Ground``."""
         self.scene = scene
         self.seed = seed
-        self._ground = Ground(scene, looks)
+        self.ground = Ground(scene, looks)
+        """Where everything is."""
         self._turns = Turns()
-        self._ground.follow(self._turns.now, self._turns.cut)
+        self.ground.follow(self._turns.now, self._turns.cut)
         self._seats = {index: Seat(self._turns, rank) for rank, index in enumerate(scene.robots)}
         self._robots: dict[int, SimulatedRobot] = {}
 
@@ -51,7 +52,7 @@ class World:
         if index in self._robots:
             self._robots[index].go_home()  # another one stands there from now on
         robot = SimulatedRobot(
-            self._ground,
+            self.ground,
             index,
             self._seats[index],
             pace=pace,
@@ -90,16 +91,11 @@ class World:
 
     def moved_things(self) -> Mapping[int, Placement]:
         """The places of pushed or carried things, by the index of their (top-level) model."""
-        return {root: now for root, now in self._ground.moved().items() if root not in self._seats}
+        return {root: now for root, now in self.ground.moved().items() if root not in self._seats}
 
     def scene_now(self) -> Scene:
         """The scene with everything where it is now, robots too."""
-        return moved(self.scene, self._ground.moved())
-
-    @property
-    def ground(self) -> Ground:
-        """Where everything is."""
-        return self._ground
+        return moved(self.scene, self.ground.moved())
 
     def get_ready(self) -> None:
         """Load and make now what the first movement would."""
@@ -107,13 +103,13 @@ class World:
 
         for robot in tuple(self._robots.values()):
             robot.get_ready()
-        self._ground.begin()
+        self.ground.begin()
 
     def reset(self) -> None:
         """Reset everything to its start. Only while no robot takes part."""
         for robot in tuple(self._robots.values()):
             robot.reset()
-        self._ground.put_things_back()
+        self.ground.put_things_back()
 
     @property
     def is_holding(self) -> bool:
@@ -143,7 +139,7 @@ class World:
         ground = Ground(scene)
         for root, place in self.places_in(scene, index_of).items():
             ground.put(root, place)
-        self.scene, self._ground = scene, ground
+        self.scene, self.ground = scene, ground
         self._seats = {index_of[old]: seat for old, seat in self._seats.items()}
         self._robots = {index_of[old]: robot for old, robot in self._robots.items()}
         for index, robot in self._robots.items():

@@ -88,7 +88,7 @@ def test_robots_and_things_never_overlap(
 ) -> None:
     it = several(dict(zip(PLACES, kind, strict=True)), around, yaw, pushable)
     company = Company(it)
-    ground = company.world._ground
+    ground = company.world.ground
     bodies = {name: Mover(ground, it.robot(name).index) for name in PLACES}
 
     def check(robot: SimulatedRobot) -> None:

@@ -59,7 +59,7 @@ def test_only_things_in_the_way_are_pushed(kind: str, boxes: list[tuple[int, int
     robot, body = world.robot(pace=Unpaced()), Mover(Ground(it), 0).body
 
     for command, amount in program:
-        pose, ground = robot.pose(), world._ground
+        pose, ground = robot.pose(), world.ground
         x, y, angle = pose.x * STEP, pose.y * STEP, 90 - pose.heading
         before = {
             root: across((part.points for part in ground.parts_of(root)), x, y, angle)
