@@ -24,7 +24,7 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 from enum import Enum
-from typing import TYPE_CHECKING, Generic, ParamSpec, Protocol, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Generic, ParamSpec, TypeAlias, TypeVar
 
 from msgspec import Struct
 
@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     import logging
     from collections.abc import Iterable
     from pathlib import Path
+
+    from serial.tools.list_ports_common import ListPortInfo
 
 
 if sys.platform == "win32":
@@ -270,18 +272,7 @@ _MEGAS = (0x0042, 0x0010)
 _BY_ID = "/dev/serial/by-id"
 
 
-class SystemPort(Protocol):
-    """The part of pyserial's ``ListPortInfo`` that is needed."""
-
-    device: str
-    vid: int | None
-    pid: int | None
-    serial_number: str | None
-    location: str | None
-    """The USB socket, also through hubs."""
-
-
-def system_ports() -> Iterable[SystemPort]:
+def system_ports() -> Iterable[ListPortInfo]:
     """What pyserial finds, with or without udev."""
     from serial.tools.list_ports import comports
 
@@ -300,7 +291,7 @@ class FoundPort(Struct, frozen=True):
 
 
 def list_ports(
-    system: Callable[[], Iterable[SystemPort]] = system_ports, by_id: str | Path = _BY_ID
+    system: Callable[[], Iterable[ListPortInfo]] = system_ports, by_id: str | Path = _BY_ID
 ) -> tuple[FoundPort, ...]:
     """The ports that are plugged in and may be opened: boards first, then by name."""
     names = _stable_names(by_id)
@@ -321,7 +312,7 @@ def stable_name(port: str, by_id: str | Path = _BY_ID) -> str:
     return _stable_names(by_id).get(os.path.realpath(port), port)
 
 
-def _is_board(port: SystemPort) -> bool:
+def _is_board(port: ListPortInfo) -> bool:
     return port.vid == _ARDUINO and port.pid in _MEGAS
 
 
@@ -347,7 +338,7 @@ class SameBoard(Generic[OpenedPort]):
     def __init__(
         self,
         open_port: Callable[[str], OpenedPort],
-        system: Callable[[], Iterable[SystemPort]] = system_ports,
+        system: Callable[[], Iterable[ListPortInfo]] = system_ports,
     ) -> None:
         self._open_port = open_port
         self._system = system
@@ -379,7 +370,7 @@ class SameBoard(Generic[OpenedPort]):
         return {os.path.realpath(each.device): _identity_of(each) for each in found if each.vid is not None}
 
 
-def _identity_of(port: SystemPort) -> _Identity:
+def _identity_of(port: ListPortInfo) -> _Identity:
     return port.vid, port.pid, port.serial_number, None if port.serial_number else port.location
 
 
