@@ -553,10 +553,9 @@ class Meeting:
 
     def _met(self, part: Part, degrees: float) -> Met:
         model = self._scene.models[part.root]
-        name = "" if ":" in model.spoken_name else model.spoken_name
         if model.index in self._scene.robots:
-            return Met(ROBOT, name, degrees)
-        return Met(WALL, "", degrees) if self._is_wall(part.root) else Met(model.kind, name, degrees)
+            return Met(ROBOT, model.called, degrees)
+        return Met(WALL, "", degrees) if self._is_wall(part.root) else Met(model.kind, model.called, degrees)
 
     def _is_wall(self, root: int) -> bool:
         if root not in self._walls:

@@ -284,11 +284,7 @@ class _Grid:
 
 def _kind(model: Model) -> str:
     """The kind of a thing: the macro's word, else the thing's name."""
-    return model.kind if model.kind != model.type else _called(model) or model.type
-
-
-def _called(model: Model) -> str:
-    return "" if ":" in model.spoken_name else model.spoken_name
+    return model.kind if model.kind != model.type else model.called or model.type
 
 
 def _letters(shapes: Iterable[_Shape]) -> dict[str, str]:
@@ -315,7 +311,7 @@ def _thing(shape: _Shape, letters: dict[str, str], robots: frozenset[int]) -> Th
     if is_robot:
         x, y = model.pose.x / STEP, model.pose.y / STEP
     return Thing(
-        name=_called(model),
+        name=model.called,
         kind=model.kind,
         letter=WALL if shape.is_wall else _sized(letters[_kind(model)], shape),
         colour=model.colour.family,

@@ -389,5 +389,4 @@ class SimulatedRobot:
 
     def _name_of(self, root: int | None) -> str:
         """As its world calls it; empty if it only has a number."""
-        name = "" if root is None else self._ground.scene.models[root].spoken_name
-        return "" if ":" in name else name
+        return "" if root is None else self._ground.scene.models[root].called

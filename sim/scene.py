@@ -243,6 +243,11 @@ class Model(Struct, frozen=True):
         """The robot's name in programs and sentences."""
         return self.alias or self.name
 
+    @property
+    def called(self) -> str:
+        """The same; empty if the world gives it only a number."""
+        return "" if ":" in self.spoken_name else self.spoken_name
+
     def outlines(self) -> Iterator[tuple[Point, ...]]:
         """Its polygons and walls as they lie in the world."""
         for shape in (*self.polygons, *self.walls):

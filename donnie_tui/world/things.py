@@ -370,7 +370,7 @@ class Building:
                 continue
             kind = "wall" if is_wall(model, now.models[scene.robots[0]]) else "thing"
             kind = "start" if part in starts else "robot" if is_robot else kind
-            name = "" if ":" in model.spoken_name else model.spoken_name
+            name = model.called
             thing = the_coloured(model.kind, name, model.colour.family or "", self._words)
             raise Unusable(self._words(f"built-over-{kind}", name=name, thing=thing))
 

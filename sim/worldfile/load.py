@@ -59,7 +59,7 @@ def _is_in(robot: Model, body: Body, part: Part) -> bool:
 
 def _called(model: Model) -> str:
     """A model in the words of the file: the word that made it, and its name if it has one."""
-    name = "" if ":" in model.spoken_name else model.spoken_name
+    name = model.called
     return (name if name and model.kind in (model.type, *name.split()) else f"{model.kind} {name}").strip()[
         :60
     ]
