@@ -110,7 +110,8 @@ class View(Struct, frozen=True):
 
     def _thing(self, root: int, glimpses: list[_Glimpse], place: Spot) -> Sight:
         """The sighting of a thing; its widest unbroken stretch gives its place."""
-        metres, colour = min(((it.nearest(place), it.part.colour) for it in glimpses), key=_first)
+        found = ((it.nearest(place), it.part.colour) for it in glimpses)
+        metres, colour = min(found, key=lambda pair: pair[0])
         low, high = max(_stretches(glimpses), key=lambda stretch: stretch[1] - stretch[0])
         return Sight(root, low, high, metres, colour)
 
@@ -130,10 +131,6 @@ class _Glimpse(Struct, frozen=True):
         middle = place.yaw + (self.low + self.high) / 2
         outline = edges(seen_from(self.part.points, place.x, place.y, middle))
         return nearest_in_wedge(outline, (self.high - self.low) / 2)
-
-
-def _first(pair: tuple[float, Colour]) -> float:
-    return pair[0]
 
 
 def _stretches(glimpses: list[_Glimpse]) -> list[tuple[float, float]]:

@@ -166,13 +166,8 @@ def nearest_in_wedge(outline: Iterable[Edge], half_angle: float) -> float:
 
     The wedge reaches ``half_angle`` degrees (at most 90) to either side of the positive x axis.
     """
-    c, s = direction(half_angle)
-    nearest = inf
-    for edge in outline:
-        part = _in_wedge(edge, c, s)
-        if part is not None:
-            nearest = min(nearest, hypot(*nearest_on_edge(part)))
-    return nearest
+    point = nearest_point_in_wedge(outline, half_angle)
+    return inf if point is None else hypot(*point)
 
 
 def nearest_point_in_wedge(outline: Iterable[Edge], half_angle: float) -> Point | None:

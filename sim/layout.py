@@ -27,10 +27,8 @@ from sim.geometry import (
     Wedge,
     contains,
     edges,
-    is_convex,
     nearest_seen,
     placed,
-    signed_area,
 )
 from sim.index import NO_ROOT, Box, Entry, InView, MovingRoots, StillParts, Views, entries_of, is_whole
 from sim.parts import BODY, NOTHING, RANGED, SIGHT, Part, Sighted, parts_of
@@ -111,7 +109,7 @@ class Layer:
         body = self._bodies.get(part.root, self._space.static_body)
         sight = (SIGHT if part.seen or part.solid else 0) | (RANGED if part.seen else 0)
         category = pymunk.ShapeFilter(categories=BODY | sight)
-        for shape in _shapes(body, part.points, self._thickness):
+        for shape in _shapes(body, part, self._thickness):
             shape.filter = category
             self._rank_of[shape] = part.rank
             self._rays.own(shape, part.rank)
@@ -135,11 +133,11 @@ def _free_all() -> None:
     gc.collect()
 
 
-def _shapes(body: pymunk.Body, points: tuple[Point, ...], radius: float) -> Iterable[pymunk.Shape]:
-    """Shapes for a polygon, ``radius`` thicker: the polygon if it is convex, else its edges."""
-    if abs(signed_area(points)) > 1e-9 and is_convex(points):
-        return [pymunk.Poly(body, points, radius=radius)]
-    return [pymunk.Segment(body, (ax, ay), (bx, by), radius) for ax, ay, bx, by in edges(points)]
+def _shapes(body: pymunk.Body, part: Part, radius: float) -> Iterable[pymunk.Shape]:
+    """Shapes for its polygon, ``radius`` thicker: the polygon if it is whole, else its edges."""
+    if is_whole(part):
+        return [pymunk.Poly(body, part.points, radius=radius)]
+    return [pymunk.Segment(body, (ax, ay), (bx, by), radius) for ax, ay, bx, by in edges(part.points)]
 
 
 _THIN = 0.0

@@ -21,6 +21,7 @@ from sim.geometry import (
     contains,
     direction,
     edges_apart,
+    normal,
 )
 from sim.parts import NOTHING, Part, Sighted
 from sim.scene import Gripper, RangeNoise
@@ -198,7 +199,7 @@ class Fan(Struct, frozen=True):
 
     def towards(self, bearing: float, half_angle: float) -> Fan | None:
         """The rays within ``half_angle`` of a direction, if there are any."""
-        angles = tuple(a for a in self.angles if abs(_between(a, bearing)) <= half_angle + 1e-9)
+        angles = tuple(a for a in self.angles if abs(normal(a - bearing)) <= half_angle + 1e-9)
         if not angles:
             return None
         return Fan(self.x, self.y, angles, self.minimum, self.maximum, self.height, self.noise)
@@ -221,11 +222,6 @@ def fan_angles(yaw: float, fov: float, samples: int) -> tuple[float, ...]:
     """The directions of a laser's rays: from one border of its view to the other, as in Stage."""
     apart = fov / max(samples - 1, 1)
     return tuple(yaw - fov / 2 + i * apart for i in range(samples))
-
-
-def _between(angle: float, other: float) -> float:
-    """How far one direction is from another, from -180 to 180."""
-    return (angle - other + 180.0) % 360.0 - 180.0
 
 
 def _blurred(sensor: Ranger, metres: float, chance: Random) -> float:

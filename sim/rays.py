@@ -20,6 +20,8 @@ Owner = TypeVar("Owner")
 Hit = tuple[Owner | None, float]
 """Whose shape is hit first, and the part of the way up to there, 1 if nothing is hit."""
 
+_Finder = Callable[[float, float, Sequence[Point], pymunk.ShapeFilter], list[Hit[Owner]]]
+
 
 class Rays(Generic[Owner]):
     """The rays of one space. Every shape in it must have been given an owner."""
@@ -30,7 +32,10 @@ class Rays(Generic[Owner]):
         self._owners: dict[object, Owner] = {}
         library = _library() if direct else None
         self._key: Callable[[pymunk.Shape], object] = _itself if library is None else _pointer
-        self._first_hits = self._by_method if library is None else _direct(library, space, self._owners)
+        self.first_hits: _Finder[Owner] = (
+            self._by_method if library is None else _direct(library, space, self._owners)
+        )
+        """What each of the thin rays from (x, y) to ``ends`` meets first, in their order."""
         self.distance: Callable[[float, float, float], float] = (
             self._distance_by_method if library is None else _direct_distance(library, space)
         )
@@ -43,12 +48,6 @@ class Rays(Generic[Owner]):
     def clear(self) -> None:
         """Every shape has left the space."""
         self._owners.clear()
-
-    def first_hits(
-        self, x: float, y: float, ends: Sequence[Point], shapes: pymunk.ShapeFilter
-    ) -> list[Hit[Owner]]:
-        """What each of the thin rays from (x, y) to ``ends`` meets first, in their order."""
-        return self._first_hits(x, y, ends, shapes)
 
     def _distance_by_method(self, x: float, y: float, most: float) -> float:
         nearest = self._space.point_query_nearest((x, y), most, _ANY)
@@ -78,10 +77,7 @@ def _pointer(shape: pymunk.Shape) -> object:
     return shape._shape
 
 
-_Finder = Callable[[float, float, Sequence[Point], pymunk.ShapeFilter], list[Hit[Any]]]
-
-
-def _direct(library: Any, space: pymunk.Space, owners: dict[object, Any]) -> _Finder:
+def _direct(library: Any, space: pymunk.Space, owners: dict[object, Any]) -> _Finder[Any]:
     """A function that asks the library itself. ``library`` is pymunk's private module, which has no types."""
     ask, new = library.lib.cpSpaceSegmentQueryFirst, library.ffi.new
     info, start, end = new("cpSegmentQueryInfo *"), new("cpVect *")[0], new("cpVect *")
