@@ -199,11 +199,25 @@ class DetectedEnvironment:
 
     @cached_property
     def has_voice(self) -> bool:
-        return has_voice(self._root)
+        """Whether pyttsx3 is installed and finds an espeak-ng library, the system's or the bundled one."""
+        from importlib.util import find_spec
+
+        if find_spec("pyttsx3") is None:
+            return False
+        has_bundled = find_spec("espeakng_loader") is not None
+        return has_bundled or sys.platform != "linux" or _has_library(self._root)
 
     @cached_property
     def has_sound_device(self) -> bool:
-        return has_sound_device(self._variables, self._root)
+        """Whether a sound card or a sound server is plausible. True if only a trial could show it."""
+        if sys.platform != "linux" or self._variables.get("PULSE_SERVER"):
+            return True
+        runtime = self._variables.get("XDG_RUNTIME_DIR")
+        servers = (f"{runtime}/{name}" for name in ("pulse/native", "pipewire-0"))
+        if runtime and any(map(os.path.exists, servers)):  # pathlib's raises in a folder without permission
+            return True
+        cards = _entries(f"{self._root}/dev/snd")
+        return any(each.name.startswith("pcmC") and each.name.endswith("p") for each in cards)
 
     @cached_property
     def has_ssip(self) -> bool:
@@ -240,28 +254,6 @@ def find_screen_reader(variables: Mapping[str, str], root: str = "") -> str | No
     if _speakup_speaks(root):
         return "speakup"
     return next(_running_readers(root), None)
-
-
-def has_voice(root: str) -> bool:
-    """Whether pyttsx3 is installed and finds an espeak-ng library, the system's or the bundled one."""
-    from importlib.util import find_spec
-
-    if find_spec("pyttsx3") is None:
-        return False
-    return find_spec("espeakng_loader") is not None or sys.platform != "linux" or _has_library(root)
-
-
-def has_sound_device(variables: Mapping[str, str], root: str) -> bool:
-    """Whether a sound card or a sound server is plausible. True if only a trial could show it."""
-    if sys.platform != "linux" or variables.get("PULSE_SERVER"):
-        return True
-    runtime = variables.get("XDG_RUNTIME_DIR")
-    servers = (f"{runtime}/{name}" for name in ("pulse/native", "pipewire-0"))
-    if runtime and any(map(os.path.exists, servers)):  # pathlib's raises in a folder without permission
-        return True
-    return any(
-        each.name.startswith("pcmC") and each.name.endswith("p") for each in _entries(f"{root}/dev/snd")
-    )
 
 
 def _has_library(root: str) -> bool:

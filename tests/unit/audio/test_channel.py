@@ -18,8 +18,6 @@ from devices.audio.channel import (
     SpeakPlace,
     choose_channel,
     find_screen_reader,
-    has_sound_device,
-    has_voice,
     ssip_address,
 )
 from devices.audio.ssip import SsipAddress
@@ -310,7 +308,7 @@ def test_a_sound_device_is_a_card_that_plays_or_a_server(
         for key, value in environment.items()
     }
 
-    assert has_sound_device(variables, str(tmp_path)) is found
+    assert DetectedEnvironment(variables, str(tmp_path)).has_sound_device is found
 
 
 def test_without_a_runtime_folder_there_is_no_sound_server(
@@ -319,12 +317,14 @@ def test_without_a_runtime_folder_there_is_no_sound_server(
     (tmp_path / "None" / "pulse" / "native").mkdir(parents=True)
     monkeypatch.chdir(tmp_path)
 
-    assert has_sound_device({}, str(tmp_path)) is False
+    assert DetectedEnvironment({}, str(tmp_path)).has_sound_device is False
 
 
 def test_a_runtime_folder_without_permission_has_no_sound_server(tmp_path: Path) -> None:
     """As after ``su``, which leaves the variable at another user's folder; here the system refuses a name."""
-    assert not has_sound_device({"XDG_RUNTIME_DIR": f"{tmp_path}/{'x' * 300}"}, str(tmp_path))
+    variables = {"XDG_RUNTIME_DIR": f"{tmp_path}/{'x' * 300}"}
+
+    assert not DetectedEnvironment(variables, str(tmp_path)).has_sound_device
 
 
 def test_ssh_is_detected_in_the_environment(tmp_path: Path) -> None:
@@ -348,13 +348,10 @@ def test_what_only_the_caller_knows_is_taken_from_it() -> None:
 
 def test_nothing_is_detected_where_the_voice_is_off(monkeypatch: pytest.MonkeyPatch) -> None:
     looked: list[str] = []
-    for module, name in (
-        ("channel", "find_screen_reader"),
-        ("channel", "has_voice"),
-        ("channel", "has_sound_device"),
-        ("ssip", "is_reachable"),
-    ):
+    for module, name in (("channel", "find_screen_reader"), ("ssip", "is_reachable")):
         monkeypatch.setattr(f"devices.audio.{module}.{name}", lambda *_, name=name: looked.append(name))
+    for name in ("has_voice", "has_sound_device"):
+        monkeypatch.setattr(DetectedEnvironment, name, property(lambda _, name=name: looked.append(name)))
 
     for wish in ("off", "text"):
         choose_channel(wish, DetectedEnvironment({}))
@@ -390,12 +387,12 @@ def test_a_voice_needs_a_library_in_one_of_the_systems_folders(
     """Without the bundled one."""
     monkeypatch.setattr("importlib.util.find_spec", lambda name: name == "pyttsx3" or None)
     monkeypatch.setattr("sys.platform", "linux")
-    assert not has_voice(f"{tmp_path}/")
+    assert not DetectedEnvironment({}, f"{tmp_path}/").has_voice
     place = tmp_path / folder / between
     place.mkdir(parents=True)
     (place / name).touch()
 
-    assert has_voice(f"{tmp_path}/") is (folder != "home/lib")
+    assert DetectedEnvironment({}, f"{tmp_path}/").has_voice is (folder != "home/lib")
 
 
 def test_a_voice_needs_its_module_and_elsewhere_the_system_has_one(
@@ -404,10 +401,10 @@ def test_a_voice_needs_its_module_and_elsewhere_the_system_has_one(
     found = {"pyttsx3"}
     monkeypatch.setattr("importlib.util.find_spec", lambda name: name in found or None)
     monkeypatch.setattr("sys.platform", "darwin")
-    assert has_voice(str(tmp_path))
+    assert DetectedEnvironment({}, str(tmp_path)).has_voice
     monkeypatch.setattr("sys.platform", "linux")
-    assert not has_voice(str(tmp_path))
+    assert not DetectedEnvironment({}, str(tmp_path)).has_voice
     found.add("espeakng_loader")
-    assert has_voice(str(tmp_path))
+    assert DetectedEnvironment({}, str(tmp_path)).has_voice
     found.remove("pyttsx3")
-    assert not has_voice(str(tmp_path))
+    assert not DetectedEnvironment({}, str(tmp_path)).has_voice
