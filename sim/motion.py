@@ -511,16 +511,8 @@ class Meeting:
         self._walls: dict[int, bool] = {}
         """Whether models are walls, as far as that was asked."""
 
-    def walking(self, spot: Spot, stopped_by: StoppedBy | None) -> Met | None:
-        """What the robot met in a walk forward, where it is at the end."""
-        return self._walking(spot, 0.0, stopped_by)
-
-    def walking_backward(self, spot: Spot, stopped_by: StoppedBy | None) -> Met | None:
-        """What the robot met in a walk backward, where it is at the end."""
-        return self._walking(spot, 180.0, stopped_by)
-
-    def _walking(self, spot: Spot, turned: float, stopped_by: StoppedBy | None) -> Met | None:
-        """What it met in the direction that is ``turned`` degrees from the front."""
+    def walking(self, spot: Spot, stopped_by: StoppedBy | None, turned: float = 0.0) -> Met | None:
+        """What the robot met in a walk, where it is at the end, ``turned`` degrees from its front."""
         if stopped_by is StoppedBy.OBSTACLE:
             found = self._mover.barring(spot, self._mover.body.radius + SIGHT)
             return self._nearest(found, spot, turned, WEDGE)

@@ -7,7 +7,7 @@ when the robot is first asked to move or to look; a program that only speaks doe
 from __future__ import annotations
 
 import threading
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import (
@@ -327,7 +327,7 @@ class SimulatedRobot:
         turned = 180.0 if motion is Motion.BACKWARD else 0.0
         if vehicle.leap(steps, rate, turned):
             return WalkResult(steps, steps, None, pose_of(vehicle.here.belief))
-        meeting = vehicle.meeting.walking if motion is Motion.FORWARD else vehicle.meeting.walking_backward
+        meeting = partial(vehicle.meeting.walking, turned=turned)
         walk = self._movements[0](vehicle, motion, steps, rate)
         walked, stopped_by, met = self._run(vehicle, (motion, steps), walk, meeting)
         return WalkResult(steps, walked, stopped_by, pose_of(vehicle.here.belief), met, self._pushed(vehicle))
