@@ -18,7 +18,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Callable, Mapping
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from pathlib import Path
 from typing import IO, Any, TypeVar
 
@@ -225,21 +225,15 @@ def _start(
     folder = "" if sounds is None else str(sounds)
     preferred = " ".join(f"{language}={','.join(tags)}" for language, tags in voices.items())
     command = (sys.executable, "-P", "-m", _MODULE, device, voice, str(os.getpid()), folder, preferred)
-    if log is None:
-        return _popen(command, subprocess.DEVNULL)
-    with log.open("wb") as file:
-        return _popen(command, file)
-
-
-def _popen(command: tuple[str, ...], errors: int | IO[bytes]) -> subprocess.Popen[bytes]:
-    return subprocess.Popen(
-        command,
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=errors,
-        env=_environment(),
-        **_group_options(),
-    )
+    with nullcontext(subprocess.DEVNULL) if log is None else log.open("wb") as errors:
+        return subprocess.Popen(
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=errors,
+            env=_environment(),
+            **_group_options(),
+        )
 
 
 def _environment() -> dict[str, str]:
