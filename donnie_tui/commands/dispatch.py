@@ -15,7 +15,8 @@ from donnie_tui.commands.context import UNUSABLE, Context
 from donnie_tui.commands.declarations import BY_NAME, Command, When
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood
 from donnie_tui.commands.lookup import not_understood, typed_form, unknown_word, word_of
-from donnie_tui.core.run_state import RunState
+from donnie_tui.core.run_state import NothingRuns, NothingToRun, RunState
+from donnie_tui.core.session import Busy
 from donnie_tui.i18n.words import Unusable
 
 if TYPE_CHECKING:
@@ -88,11 +89,17 @@ async def _run(ctx: Context, command: Command, argument: str | None) -> None:
 
 
 async def attempt(ctx: Context, task: Awaitable[None]) -> None:
-    """Run a handler, and answer if the learner cancels, a file fails or something can't be used."""
+    """Run a handler, and answer if the learner cancels, a run is not possible now, or something fails."""
     try:
         await task
     except GivenUp:
         ctx.answer("answer-unchanged")
+    except NothingRuns:
+        ctx.answer("answer-nothing-runs")
+    except NothingToRun:
+        ctx.answer("answer-nothing-to-run")
+    except Busy:
+        ctx.answer_of_robot("screen-busy")
     except Unusable as unusable:
         ctx.refuse(UNUSABLE)
         ctx.say(*unusable.sentences)

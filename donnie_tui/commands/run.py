@@ -175,11 +175,7 @@ def _line_to_change(error: Error) -> int:
 async def start(ctx: Context, _: str) -> None:
     """Run the program in the background. Waits only for parsing; the answer lists the mistakes."""
     document, session = ctx.program, ctx.donnie.session
-    try:
-        started = ctx.runs.start_in_background(whole_program(ctx))
-    except NothingToRun:
-        ctx.answer("answer-nothing-to-run")
-        return
+    started = ctx.runs.start_in_background(whole_program(ctx))
     if started.was_refused:
         started.wait(LONGEST_STOP)
     elif not document.is_in_editor:
@@ -229,11 +225,7 @@ async def stop(ctx: Context, _: str) -> None:
 @handles("stop_all")
 async def stop_all(ctx: Context, _: str) -> None:
     """Stop all robots; in a world with one robot as STOP."""
-    try:
-        is_any = ctx.runs.stop_all()
-    except NothingRuns:
-        ctx.answer("answer-nothing-runs")
-        return
+    is_any = ctx.runs.stop_all()
     if ctx.donnie.team.has_several:
         ctx.answer("robot-all-stopped" if is_any else "robot-now-idle")
 
@@ -241,21 +233,14 @@ async def stop_all(ctx: Context, _: str) -> None:
 @handles("pause")
 async def pause(ctx: Context, _: str) -> None:
     """Hold the program, which says where it is. Its key lets a held one continue, see ``perform``."""
-    try:
-        if ctx.runs.state is RunState.PAUSED or not ctx.runs.pause():
-            ctx.answer_of_robot("program-paused")
-    except NothingRuns:
-        ctx.answer("answer-nothing-runs")
+    if ctx.runs.state is RunState.PAUSED or not ctx.runs.pause():
+        ctx.answer_of_robot("program-paused")
 
 
 @handles("continue_")
 async def continue_(ctx: Context, _: str) -> None:
     """Continue the held program."""
-    try:
-        ctx.runs.require(Request.CONTINUE)
-    except NothingRuns:
-        ctx.answer("answer-nothing-runs")
-        return
+    ctx.runs.require(Request.CONTINUE)
     ctx.answer_of_robot("answer-continued")
     ctx.runs.continue_()
 
@@ -384,11 +369,7 @@ def _say_speed(ctx: Context) -> None:
 @handles("reset")
 async def reset(ctx: Context, _: str) -> None:
     """Put the robot to its start, and forget the variables."""
-    try:
-        ctx.runs.reset()
-    except Busy:
-        ctx.answer_of_robot("screen-busy")
-        return
+    ctx.runs.reset()
     ctx.answer_of_robot("answer-reset")
     if ctx.screen is not None:
         ctx.screen.robot_changed()

@@ -207,7 +207,7 @@ class Session:
         """As ``start``, but the run waits for ``begin``: for robots that start together."""
         with self._lock:
             if self._run is not None or (options.driver is None and self.is_taken()):
-                raise Busy
+                raise Busy(self.name)
             how = HowStarted(
                 text,
                 options.first_line,

@@ -7,12 +7,14 @@ everything unsaved: if no question was possible, the next start offers it, else 
 from __future__ import annotations
 
 import os
+from contextlib import suppress
 
 from donnie_tui.commands.context import FAILED, Context
 from donnie_tui.commands.interaction import EnterWorld, SwitchMode, drive
 from donnie_tui.commands.run import run_alone
 from donnie_tui.core.document import Document
 from donnie_tui.core.program_files import DocumentError
+from donnie_tui.core.session import Busy
 from donnie_tui.linear.output import BackgroundRobots
 from donnie_tui.linear.prompter import Printer, Prompter, Streams
 from donnie_tui.settings.parsing import remember
@@ -55,9 +57,11 @@ class Leaving:
     def quit(self) -> None:
         """Leave because of QUIT, which runs as a program of its own: a recording ends with it.
 
-        A script that only opened a program did all that it wanted.
+        A robot that a client drives lets no program begin, and keeps nobody. A script that only opened a
+        program did all that it wanted.
         """
-        drive(run_alone(self._ctx, spelling("QUIT", self._ctx.words.language)))
+        with suppress(Busy):
+            drive(run_alone(self._ctx, spelling("QUIT", self._ctx.words.language)))
         self.close(is_failure=not self._ctx.program.was_opened)
 
     def close(self, *, is_failure: bool = True) -> None:

@@ -364,6 +364,26 @@ def test_while_a_program_runs_only_what_needs_no_other_is_possible(open_script: 
     assert stopped.startswith("Stopped")  # before its first line, or at one
 
 
+@pytest.mark.parametrize(
+    ("typed", "answer"),
+    [
+        *(
+            (each, "alice: A program is running. STOP stops it.")
+            for each in ("START", "RUN", "AGAIN", "STEP")
+        ),
+        ("TOGETHER", "alice is busy."),
+    ],
+)
+def test_no_program_begins_while_a_client_drives_another_robot(
+    open_script: OpenScript, typed: str, answer: str
+) -> None:
+    script = open_script("FW 1", world="two_robots")
+    script.donnie.session.is_taken = lambda: True
+
+    assert script.answers_to(typed) == [answer]
+    assert script.ctx.program.waiting == 1
+
+
 def test_a_program_is_run_to_the_next_line_with_a_command(open_script: OpenScript) -> None:
     script = open_script("FW 1", "", "FW 2", "REPEAT 2 TIMES", "FW 1", "END REPEAT")
     nowhere = "No command begins on line {}, so I can't stop there."

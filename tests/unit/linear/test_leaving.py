@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from contextlib import nullcontext
+from contextlib import closing, nullcontext
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
+from donnie_tui.bootstrap import assemble
 from donnie_tui.commands.interaction import EnterWorld, SwitchMode
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.linear.conversation import Conversation
 from donnie_tui.linear.leaving import Leaving
 from donnie_tui.linear.prompter import Prompter
 from donnie_tui.linear.reader import How, Typed
+from donnie_tui.settings.settings import Settings
+from tests.unit.commands.scripted import Script
 
 
 def leaving_of(done: list[str], leaving: int | None = None) -> Leaving:
@@ -365,6 +368,24 @@ def test_quit_is_a_program_and_no_failure_of_a_script_that_opened_another(
 
     assert done == ["SAIR", *(["refused 1"] if is_failure else []), "lines-did-not-run 1 EXECUTAR"]
     assert leaving.code == 0
+
+
+def test_a_robot_that_a_client_drives_keeps_nobody_who_quits(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    donnie = assemble(Settings(world="two_robots", speech="off", sound=False), terminal=True)
+    with closing(donnie), closing(Script(donnie)) as script:
+        script.ctx.workspace.begin_with(donnie.session.name)
+        donnie.session.is_taken = lambda: True
+        others: Any = SimpleNamespace(
+            console=SimpleNamespace(leaving=None), is_attended=True, is_running=False
+        )
+        leaving = Leaving(script.ctx, others, others, others, others, set())
+        leaving.quit()
+
+    assert (leaving.code, script.printed) == (0, [])
 
 
 def test_robots_in_the_background_stop_only_when_nothing_keeps_the_learner() -> None:
