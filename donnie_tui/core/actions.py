@@ -7,7 +7,7 @@ that isn't there. It gives each hint once a run.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from itertools import groupby, takewhile
 from typing import TypeAlias, TypeGuard
 
@@ -182,22 +182,27 @@ class RobotActions:
         self._speech_wait.wait(self._may_continue)
 
     def state(self) -> None:
-        self._sentences.state(self.past.last, self._robot.pose())
+        self._say_movements("state", tuple(self.past.movements)[-1:])
 
     def history(self) -> None:
-        if self.past.last is None:
-            self._sentences.no_history(self._robot.pose())
-        movements = takewhile(lambda _: self._may_continue(), self.past.movements)
-        self._sentences.history(movements, self.past.forgotten)
+        if self.past.forgotten:
+            self._sentences.announce("history", "history-forgotten", count=self.past.forgotten)
+        self._say_movements("history", takewhile(lambda _: self._may_continue(), self.past.movements))
+
+    def _say_movements(self, code: str, movements: Iterable[tuple[int, Moved | Turned]]) -> None:
+        if not self.past.movements:
+            self._sentences.no_movement(code, self._robot.pose())
+        for number, event in movements:
+            self._sentences.movement(code, number, event)
 
     def announce_pose(self) -> None:
-        self._sentences.position(self._robot.pose())
+        self._sentences.place("position", self._robot.pose())
 
     def help(self, topic: str | None) -> None:
         self._sentences.help(topic)
 
     def overwritten(self, name: str) -> None:
-        self._sentences.overwritten(name)
+        self._sentences.announce("hint", "overwritten", name=name)
 
     # --- the gripper
 
@@ -224,7 +229,8 @@ class RobotActions:
     def wait(self, seconds: int) -> None:
         _refuse_beyond_limit(seconds)
         asked = max(0, seconds)
-        self._sentences.waiting(asked)
+        if asked:
+            self._sentences.announce("waiting", seconds=asked)
         before = self._robot.time()
         try:
             whole_time = self._robot.wait(asked)
@@ -346,7 +352,7 @@ class RobotActions:
         self._hub.publish(SoundSwitched(on))
 
     def belt(self, on: bool) -> None:
-        self._sentences.belt(on)
+        self._sentences.announce("belt", "belt-on" if on else "belt-off")
         self._belt.switch(on)
 
     def vibrate(self, bearing: Bearing) -> None:

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 import re
 from collections import deque
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Protocol, TextIO
 
 from msgspec import Struct, field
@@ -49,17 +49,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 
-class PastMovement(Struct, frozen=True):
-    """One movement: its number from 1, the command as typed, the amount done, and the pose after it."""
-
-    number: int
-    command: str
-    turned: bool
-    done: int
-    crashed: bool
-    pose: Pose
-
-
 MOST_MOVEMENTS = 10_000
 """Movements that HISTORY remembers, the newest ones. An endless program makes millions."""
 
@@ -68,34 +57,22 @@ class History:
     """The newest movements, oldest first."""
 
     def __init__(self, most: int = MOST_MOVEMENTS) -> None:
-        self._movements: deque[PastMovement] = deque(maxlen=most)
+        self.movements: deque[tuple[int, Moved | Turned]] = deque(maxlen=most)
+        """Each with its number, from 1."""
         self._last_number = 0
 
     def remember(self, event: Moved | Turned) -> None:
-        done = event.walked if isinstance(event, Moved) else event.turned
-        crashed = event.stopped_by not in (None, StoppedBy.LINK)
         self._last_number += 1
-        turned = isinstance(event, Turned)
-        self._movements.append(
-            PastMovement(self._last_number, event.command, turned, done, crashed, event.pose)
-        )
+        self.movements.append((self._last_number, event))
 
     def forget(self) -> None:
-        self._movements.clear()
+        self.movements.clear()
         self._last_number = 0
 
     @property
     def forgotten(self) -> int:
         """How many movements came before those that are remembered."""
-        return self._last_number - len(self._movements)
-
-    @property
-    def last(self) -> PastMovement | None:
-        return self._movements[-1] if self._movements else None
-
-    @property
-    def movements(self) -> tuple[PastMovement, ...]:
-        return tuple(self._movements)
+        return self._last_number - len(self.movements)
 
 
 class SentencePublisher:
@@ -109,25 +86,6 @@ class SentencePublisher:
         """Publishes one sentence. ``sentence`` is its code in the catalogue where that is not ``code``."""
         self._hub.publish(Announced(code, self._say(sentence or code, **values)))
 
-    def state(self, last: PastMovement | None, pose: Pose) -> None:
-        if last is None:
-            self._no_movement("state", pose)
-        else:
-            self._movement("state", last)
-
-    def history(self, movements: Iterable[PastMovement], forgotten: int = 0) -> None:
-        """``forgotten``: how many came before them."""
-        if forgotten:
-            self.announce("history", "history-forgotten", count=forgotten)
-        for movement in movements:
-            self._movement("history", movement)
-
-    def no_history(self, pose: Pose) -> None:
-        self._no_movement("history", pose)
-
-    def position(self, pose: Pose) -> None:
-        self.place("position", pose)
-
     def place(self, code: str, pose: Pose) -> None:
         """Publishes the robot's place, with ``code`` as the subject."""
         self._hub.publish(Announced(code, position_in_words(pose, self._say)))
@@ -136,28 +94,20 @@ class SentencePublisher:
         for line in self._say.help(topic):
             self._hub.publish(Announced("help", line))
 
-    def overwritten(self, name: str) -> None:
-        self.announce("hint", "overwritten", name=name)
-
-    def waiting(self, seconds: int) -> None:
-        if seconds:
-            self.announce("waiting", seconds=seconds)
-
-    def belt(self, on: bool) -> None:
-        self.announce("belt", "belt-on" if on else "belt-off")
-
-    def _no_movement(self, code: str, pose: Pose) -> None:
+    def no_movement(self, code: str, pose: Pose) -> None:
         self.announce(code, "no-movement", **_whole(pose))
 
-    def _movement(self, code: str, movement: PastMovement) -> None:
+    def movement(self, code: str, number: int, event: Moved | Turned) -> None:
+        done = event.turned if isinstance(event, Turned) else event.walked
+        has_crashed = event.stopped_by not in (None, StoppedBy.LINK)
         self.announce(
             code,
-            "movement-turned" if movement.turned else "movement-walked",
-            number=movement.number,
-            command=movement.command,
-            done=movement.done,
-            crashed=self._say("crashed" if movement.crashed else "not-crashed"),
-            **_whole(movement.pose),
+            "movement-turned" if isinstance(event, Turned) else "movement-walked",
+            number=number,
+            command=event.command,
+            done=done,
+            crashed=self._say("crashed" if has_crashed else "not-crashed"),
+            **_whole(event.pose),
         )
 
 

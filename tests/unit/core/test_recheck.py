@@ -43,7 +43,7 @@ def run(hall: Hall, robot: str, text: str, *, fresh: bool = False) -> None:
 def test_consecutive_runs_resets_and_questions_give_the_same_again() -> None:
     hall = Hall()
     run(hall, "alice", "VAR a = 2 FW a")
-    hall.team.session("alice").sentences.position(hall.team.session("alice").pose)
+    hall.team.session("alice").sentences.place("position", hall.team.session("alice").pose)
     run(hall, "alice", "SPEAK a FW a")
     hall.team.session("alice").reset()
     run(hall, "Bob", "SPEAK DISTANCE F FWD 3")

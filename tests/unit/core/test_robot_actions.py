@@ -37,6 +37,7 @@ from donnie_tui.core.events import (
     Turned,
     Waited,
 )
+from donnie_tui.core.transcript import History
 from language.diagnostics import ActionRefused, MistakeKind
 from language.syntax import Axis
 
@@ -57,8 +58,7 @@ class Actions:
         hub: Any = Part(publish=self.done.append)
         sentences: Any = Part(
             announce=self.announce,
-            **{name: self.noted(name) for name in ("waiting", "position", "help", "overwritten", "belt")},
-            **{name: self.noted(name) for name in ("state", "history", "no_history")},
+            **{name: self.noted(name) for name in ("place", "help", "movement", "no_movement")},
         )
         belt: Any = Part(
             is_on=True,
@@ -72,8 +72,8 @@ class Actions:
             self.robot, hub, sentences, belt, may_continue=lambda: True, moved_things=lambda: ("things",)  # type: ignore[arg-type, return-value]
         )  # fmt: skip
 
-    def announce(self, kind: str, code: str, **values: object) -> None:
-        self.done.append((kind, code, values))
+    def announce(self, *codes: str, **values: object) -> None:
+        self.done.append((*codes, values))
 
     def noted(self, name: str) -> Any:
         return lambda *values: self.done.append((name, *values))
@@ -119,9 +119,7 @@ def test_a_walk_is_published_then_what_it_pushed_then_shown_on_the_belt(
         *([("belt show_bump", side)] if is_bump else []),
         ("belt update",),
     ]
-    last = it.actions.past.last
-    assert last is not None
-    assert (last.command, last.done, last.pose) == ("FW 5", 3, HERE)
+    assert it.actions.past.movements[-1] == (2, it.done[len(it.done) // 2])
 
 
 @pytest.mark.parametrize(
@@ -195,7 +193,7 @@ def test_a_wait_that_is_cut_short_is_as_long_as_it_was(asked: int, is_whole: boo
     it = Actions(wait=lambda _: is_whole, time=lambda: next(times))
     it.actions.wait(asked)
 
-    assert it.done == [("waiting", max(0, asked)), Waited(waited)]
+    assert it.done == [*([("waiting", {"seconds": asked})] if asked > 0 else []), Waited(waited)]
 
 
 # --- sensing
@@ -305,6 +303,7 @@ def test_sentences_and_switches_go_where_they_belong() -> None:
     actions.speak(3)
     actions.sound(False)
     actions.belt(True)
+    actions.belt(False)
     actions.vibrate(Bearing.BACK_LEFT)
     actions.help("FW")
     actions.overwritten("a")
@@ -313,9 +312,10 @@ def test_sentences_and_switches_go_where_they_belong() -> None:
     actions.forget()
 
     assert it.done == [
-        *(Spoke("3"), SoundSwitched(False), ("belt", True), ("belt switch", True)),
-        *(("belt pulse", Bearing.BACK_LEFT), ("help", "FW"), ("overwritten", "a"), ("position", HERE)),
-        *(("state", None, HERE), ("belt forget",)),
+        *(Spoke("3"), SoundSwitched(False)),
+        *(("belt", "belt-on", {}), ("belt switch", True), ("belt", "belt-off", {}), ("belt switch", False)),
+        *(("belt pulse", Bearing.BACK_LEFT), ("help", "FW"), ("hint", "overwritten", {"name": "a"})),
+        *(("place", "position", HERE), ("no_movement", "state", HERE), ("belt forget",)),
     ]
     it.done.clear()
     it.belt.is_on = False
@@ -323,17 +323,43 @@ def test_sentences_and_switches_go_where_they_belong() -> None:
     assert it.done == []
 
 
-def test_a_history_without_movements_says_so_first() -> None:
+def test_the_state_is_the_last_movement_and_the_history_all_after_how_many_are_forgotten() -> None:
     it = Actions(forward=lambda steps: WalkResult(steps, steps, None, HERE))
-    it.actions.history()
-    assert [each[0] for each in it.done] == ["no_history", "history"]
+    it.actions.past = History(2)
+    said = []
+    for steps in range(4):
+        if steps:
+            it.actions.forward(steps, f"FW {steps}")
+        for say in (it.actions.state, it.actions.history):
+            it.done.clear()
+            say()
+            said.append(it.done.copy())
+    one, two, three = (
+        Moved(f"FW {each}", each, each, None, HERE, True, true_pose=TRUE) for each in (1, 2, 3)
+    )
+
+    assert said == [
+        *([("no_movement", "state", HERE)], [("no_movement", "history", HERE)]),
+        *([("movement", "state", 1, one)], [("movement", "history", 1, one)]),
+        [("movement", "state", 2, two)],
+        [("movement", "history", 1, one), ("movement", "history", 2, two)],
+        [("movement", "state", 3, three)],
+        [
+            ("history", "history-forgotten", {"count": 1}),
+            *(("movement", "history", 2, two), ("movement", "history", 3, three)),
+        ],
+    ]
+
+
+def test_a_history_ends_when_the_program_may_not_continue() -> None:
+    it = Actions(forward=lambda steps: WalkResult(steps, steps, None, HERE))
+    for steps in (1, 2, 3):
+        it.actions.forward(steps, f"FW {steps}")
     it.done.clear()
-    it.actions.forward(1, "FW 1")
-    it.done.clear()
+    may_continue = iter((True, True, False))
+    it.actions._may_continue = lambda: next(may_continue)
     it.actions.history()
-    assert [each[0] for each in it.done] == ["history"]
-    assert [each.command for each in it.done[0][1]] == ["FW 1"]
-    assert it.done[0][2] == 0
+    assert [each[:3] for each in it.done] == [("movement", "history", 1), ("movement", "history", 2)]
 
 
 # --- what a robot reports on its way

@@ -229,9 +229,10 @@ def test_a_new_log_gets_the_next_number(tmp_path: Path) -> None:
 def test_the_history_keeps_the_newest_movements_and_counts_the_others() -> None:
     history = History(most=3)
     for steps in range(1, 6):
-        history.remember(Moved("FW", steps, steps, None, Pose(0.0, float(steps), 0.0), forward=True))
+        history.remember(Moved(f"FW {steps}", steps, steps, None, HERE, forward=True))
 
-    assert [each.done for each in history.movements] == [3, 4, 5]
+    assert [number for number, _ in history.movements] == [3, 4, 5]
+    assert [event.command for _, event in history.movements] == ["FW 3", "FW 4", "FW 5"]
     assert (history.forgotten, MOST_MOVEMENTS) == (2, 10_000)
 
 
@@ -255,50 +256,33 @@ WALK = "Command 1 was FW 3, walked 2, crashed, position [2,-3,90]."
 TURN = "Command 2 was TR 90, turned 90, didn't crash, position [2,-3,90]."
 
 
-def past(*events: Moved | Turned) -> History:
-    history = History(2)
-    for each in events:
-        history.remember(each)
-    return history
-
-
-def test_the_state_is_the_last_movement_or_that_there_was_none() -> None:
-    for events, sentence in (((), NONE), ((WALKED,), WALK), ((WALKED, TURNED), TURN)):
-        assert said(lambda it, events=events: it.state(past(*events).last, HERE)) == [("state", sentence)]
-    assert said(lambda it: it.no_history(HERE)) == [("history", NONE)]
-
-
-def test_a_history_begins_with_how_many_movements_are_forgotten() -> None:
-    history = past(WALKED, TURNED)
-    assert said(lambda it: it.history(history.movements)) == [("history", WALK), ("history", TURN)]
-    history.remember(TURNED)
-    assert history.forgotten == 1
-    codes = [code for code, _ in said(lambda it: it.history(history.movements, history.forgotten))]
-    assert codes == ["history"] * 3
-    assert said(lambda it: it.history((), 4))[0][1] == Words()("history-forgotten", count=4)
+def test_a_movement_is_announced_with_its_number_or_that_there_was_none() -> None:
+    assert said(lambda it: it.no_movement("history", HERE)) == [("history", NONE)]
+    assert said(lambda it: it.movement("state", 1, WALKED)) == [("state", WALK)]
+    assert said(lambda it: it.movement("history", 2, TURNED)) == [("history", TURN)]
 
 
 def test_a_movement_that_lost_the_link_has_not_crashed() -> None:
     for stopped_by, crashed in ((None, False), (StoppedBy.LINK, False), (StoppedBy.STALL, True)):
-        last = past(Moved("FW 3", 3, 2, stopped_by, HERE, True)).last
-        assert last is not None
-        assert last.crashed == crashed
-    history = past(WALKED)
+        moved = Moved("FW 3", 3, 2, stopped_by, HERE, True)
+        ((_, sentence),) = said(lambda it, moved=moved: it.movement("state", 1, moved))
+        assert (", crashed," in sentence, ", didn't crash," in sentence) == (crashed, not crashed)
+
+
+def test_a_history_that_was_forgotten_begins_again() -> None:
+    history = History(2)
+    for event in (WALKED, TURNED, TURNED):
+        history.remember(event)
+    assert ([*history.movements], history.forgotten) == ([(2, TURNED), (3, TURNED)], 1)
     history.forget()
-    assert (history.last, history.forgotten) == (None, 0)
+    assert ([*history.movements], history.forgotten) == ([], 0)
     history.remember(TURNED)
-    assert history.movements[0].number == 1
+    assert [*history.movements] == [(1, TURNED)]
 
 
 @pytest.mark.parametrize(
     ("do", "announced"),
     [
-        (lambda it: it.waiting(0), []),
-        (lambda it: it.waiting(1), [("waiting", "Waiting 1 second.")]),
-        (lambda it: it.belt(True), [("belt", "Belt on.")]),
-        (lambda it: it.belt(False), [("belt", "Belt off.")]),
-        (lambda it: it.overwritten("a"), [("hint", Words()("overwritten", name="a"))]),
-        (lambda it: it.position(HERE), [("position", "Position 2, -3. Facing east.")]),
         (lambda it: it.place("start", HERE), [("start", "Position 2, -3. Facing east.")]),
         (lambda it: it.announce("belt-on"), [("belt-on", "Belt on.")]),
     ],
