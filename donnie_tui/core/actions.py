@@ -61,43 +61,6 @@ def _has_gripper(robot: object) -> TypeGuard[Gripping]:
     return hasattr(robot, "grip")
 
 
-class Handling:
-    """Uses one robot's gripper and publishes the result."""
-
-    def __init__(
-        self, robot: Robot, hub: Hub, sentences: SentencePublisher, moved_things: MovedThings
-    ) -> None:
-        self._robot = robot
-        self._hub = hub
-        self._sentences = sentences
-        self._moved_things = moved_things
-
-    def grip(self) -> None:
-        """Closes the gripper and publishes the result, even if the robot has none."""
-        self._use(lambda gripper: gripper.grip())
-
-    def release(self) -> None:
-        """Opens the gripper, as ``grip`` closes it."""
-        self._use(lambda gripper: gripper.release())
-
-    def _use(self, gripper_command: Callable[[Gripping], GripResult]) -> None:
-        try:
-            if not _has_gripper(self._robot):
-                raise RobotProblem("no-gripper")
-            done = gripper_command(self._robot)
-        except RobotProblem as problem:
-            self._sentences.announce("no-gripper", f"problem-{problem.code}")
-            return
-        self._hub.publish(GripperUsed(done.outcome, done.name, done.kind, done.colour))
-        self.publish_things()
-
-    def publish_things(self) -> None:
-        """Publishes the places of things if they changed, also after a fresh start."""
-        places = self._moved_things()
-        if places is not None:
-            self._hub.publish(ThingsMoved(places))
-
-
 LARGEST = 1_000_000_000
 """Steps, degrees or seconds that one command may ask for."""
 
@@ -154,7 +117,7 @@ class RobotActions:
         self.past = History()
         self._belt = belt
         self._loop_hints = LoopHints(robot, sentences)
-        self.handling = Handling(robot, hub, sentences, moved_things)
+        self._moved_things = moved_things
         self._speech_wait = speech_wait or SpeechWait()
         self._announced: set[str] = set()
         """The codes of the problems that were announced in this run."""
@@ -207,10 +170,29 @@ class RobotActions:
     # --- the gripper
 
     def grip(self) -> None:
-        self.handling.grip()
+        """Closes the gripper and publishes the result, even if the robot has none."""
+        self._use_gripper(lambda gripper: gripper.grip())
 
     def release(self) -> None:
-        self.handling.release()
+        """Opens the gripper, as ``grip`` closes it."""
+        self._use_gripper(lambda gripper: gripper.release())
+
+    def _use_gripper(self, command: Callable[[Gripping], GripResult]) -> None:
+        try:
+            if not _has_gripper(self._robot):
+                raise RobotProblem("no-gripper")
+            done = command(self._robot)
+        except RobotProblem as problem:
+            self._sentences.announce("no-gripper", f"problem-{problem.code}")
+            return
+        self._hub.publish(GripperUsed(done.outcome, done.name, done.kind, done.colour))
+        self.publish_things()
+
+    def publish_things(self) -> None:
+        """Publishes the places of things if they changed, also after a fresh start."""
+        places = self._moved_things()
+        if places is not None:
+            self._hub.publish(ThingsMoved(places))
 
     # --- moving
 
@@ -284,7 +266,7 @@ class RobotActions:
         """Publishes a movement and what it pushed, and updates the belt. Raises if no movement can follow."""
         self.past.remember(event)
         self._hub.publish(event)
-        self.handling.publish_things()
+        self.publish_things()
         if event.stopped_by in (StoppedBy.COLLISION, StoppedBy.STALL):
             self._belt.show_bump(ahead)
         self._belt.update()

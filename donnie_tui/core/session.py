@@ -262,7 +262,7 @@ class Session:
                 self.hub,
                 self._actions,
                 self.wording,
-                self._actions.handling.publish_things,
+                self._actions.publish_things,
                 self._about_to_end,
             ),
             name,
@@ -380,11 +380,11 @@ class Session:
                 raise Busy
             self._begin_anew()
         self.hub.publish(Reset(self.pose))
-        self._actions.handling.publish_things()
+        self._actions.publish_things()
 
     def publish_things(self) -> None:
         """Publishes where the things are, if that is not known: the world was changed."""
-        self._actions.handling.publish_things()
+        self._actions.publish_things()
 
     def change_robot(self, make_robot: MakeRobot | None) -> None:
         """Changes to another robot, at its start and with nothing remembered. None: the first one.
