@@ -9,7 +9,6 @@ from __future__ import annotations
 import threading
 from collections.abc import Mapping, Sequence
 from enum import Enum
-from typing import Protocol
 
 from msgspec import Struct
 
@@ -31,13 +30,7 @@ from donnie_tui.core.events import (
 from donnie_tui.core.runner import Run, RunRequest
 from donnie_tui.core.session import RunOptions
 from donnie_tui.core.team import Team
-
-
-class RecordedWording(Protocol):
-    """The wording, as far as a recording chose it."""
-
-    language: str
-    detail: str
+from donnie_tui.core.wording import Wording
 
 
 class Result(Enum):
@@ -59,7 +52,7 @@ class Verdict(Struct, frozen=True):
     now: Stamped | None = None
 
 
-def recheck(events: Sequence[Stamped], team: Team, wording: RecordedWording) -> Verdict:
+def recheck(events: Sequence[Stamped], team: Team, wording: Wording) -> Verdict:
     """Runs everything again with ``team``, which is at the start of the same world, and compares.
 
     Blocks as long as the programs take. ``team.stop`` ends it from another thread, which counts as a
@@ -89,7 +82,7 @@ class _Segment(Struct, frozen=True):
 class _Checking:
     """The position in the recording. The stream's order makes it safe between the programs' threads."""
 
-    def __init__(self, events: Sequence[Stamped], team: Team, wording: RecordedWording) -> None:
+    def __init__(self, events: Sequence[Stamped], team: Team, wording: Wording) -> None:
         self._events = events
         self._team = team
         self._wording = wording

@@ -37,13 +37,10 @@ BRAILLE_CELLS = 40
 class Wording(Protocol):
     """The learner's language."""
 
-    @property
-    def language(self) -> str:
-        """Its code, such as ``en`` or ``pt``."""
-
-    @property
-    def detail(self) -> str:
-        """``brief``, ``normal`` or ``full``."""
+    language: str
+    """Its code, such as ``en`` or ``pt``."""
+    detail: str
+    """``brief``, ``normal`` or ``full``."""
 
     def __call__(self, code: str, **values: object) -> str:
         """The sentence of a code."""
