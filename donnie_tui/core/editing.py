@@ -77,11 +77,12 @@ class Version(msgspec.Struct, frozen=True):
     """Where the change replaced the whole program."""
 
 
-class Replaced(msgspec.Struct, frozen=True):
-    """A program that another one took the place of."""
+class UnsavedText(msgspec.Struct, frozen=True):
+    """A program that another one took the place of, or that a copy keeps."""
 
     text: str
-    path: Path | None
+    path: Path | None = None
+    """The file of the program, where it has one."""
 
 
 class UndoHistory:
@@ -134,10 +135,10 @@ class UndoHistory:
         return after
 
     @property
-    def replaced(self) -> tuple[Replaced, ...]:
+    def replaced(self) -> tuple[UnsavedText, ...]:
         """The unsaved programs that UNDO or REDO would restore, the oldest first."""
         return tuple(
-            Replaced(joined(each.lines), each.origin.path)
+            UnsavedText(joined(each.lines), each.origin.path)
             for each in self._versions
             if each.origin is not None and each.lines != each.origin.saved_lines
         )

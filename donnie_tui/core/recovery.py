@@ -18,8 +18,7 @@ import threading
 from collections.abc import Callable, Container, Iterable
 from typing import TYPE_CHECKING
 
-import msgspec
-
+from donnie_tui.core.editing import UnsavedText
 from donnie_tui.core.program_files import DocumentError, as_lines, new_file, read_program, write_program
 from donnie_tui.process.confinement import check_own, make_folder
 
@@ -36,14 +35,6 @@ _LEFT = "left-"
 """The prefix of a copy that its learner gave up, or did not open at the next start."""
 _FILE = "-- What was not saved of the file: "
 """The first line of a copy, with the path of the program's file; a comment of the language."""
-
-
-class SavedCopy(msgspec.Struct, frozen=True):
-    """The content of a copy."""
-
-    text: str
-    path: Path | None = None
-    """The file of the program, where it has one."""
 
 
 class CopyFolder:
@@ -123,7 +114,7 @@ class UnsavedCopy:
     def __init__(self, folder: CopyFolder) -> None:
         self._folder = folder
         self._file: Path | None = None
-        self._wanted: SavedCopy | None = None
+        self._wanted: UnsavedText | None = None
         self._superseded: list[Path] = []
         """Copies of earlier starts whose text this copy holds now."""
         self.is_outdated = False
@@ -142,7 +133,7 @@ class UnsavedCopy:
         """Ask for this text to be on disk from now on. ``instead_of``: a copy that is removed afterwards."""
         if instead_of is not None:
             self._superseded.append(instead_of)
-        self._wanted = SavedCopy(text, path)
+        self._wanted = UnsavedText(text, path)
         self.is_outdated = True
 
     def want_none(self) -> None:
@@ -182,7 +173,7 @@ class UnsavedCopy:
         with contextlib.suppress(DocumentError, OSError):
             self.write()
 
-    def _update(self, wanted: SavedCopy | None) -> None:
+    def _update(self, wanted: UnsavedText | None) -> None:
         if wanted is not None:
             self._write(wanted)
         elif self._file is not None:
@@ -194,7 +185,7 @@ class UnsavedCopy:
             with contextlib.suppress(OSError):
                 self._superseded.pop().unlink()
 
-    def _write(self, wanted: SavedCopy) -> None:
+    def _write(self, wanted: UnsavedText) -> None:
         try:
             file = self._file = self._file or self._folder.new_copy()
         except OSError as problem:
@@ -242,17 +233,17 @@ class CopyWriter:
             return found
 
 
-def read_copy(copy: Path) -> SavedCopy:
+def read_copy(copy: Path) -> UnsavedText:
     """Read a copy and change nothing. Raises ``DocumentError``."""
     text = as_lines(read_program(copy))
     first, _, rest = text.partition("\n")
     if not first.startswith(_FILE):
-        return SavedCopy(text)
+        return UnsavedText(text)
     name = first.removeprefix(_FILE)
-    return SavedCopy(rest, _path(name) if name else None)
+    return UnsavedText(rest, _path(name) if name else None)
 
 
-def _with_file_line(wanted: SavedCopy) -> str:
+def _with_file_line(wanted: UnsavedText) -> str:
     """The text of the copy. A path that does not fit into a line of text is left out."""
     name = ""
     with contextlib.suppress(OSError):  # the working folder was removed

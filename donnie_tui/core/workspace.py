@@ -13,14 +13,14 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from donnie_tui.core.document import Document
-from donnie_tui.core.editing import Replaced, TextEditor
+from donnie_tui.core.editing import TextEditor, UnsavedText
 from donnie_tui.core.program_files import BreakpointFile
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from donnie_tui.core.program_files import DocumentError, RecentFiles
-    from donnie_tui.core.recovery import CopyFolder, CopyWriter, SavedCopy, UnsavedCopy
+    from donnie_tui.core.recovery import CopyFolder, CopyWriter, UnsavedCopy
 
 MOST_REPLACED, MOST_PUT_AWAY = 5, 20
 """Replaced programs of which copies are kept, and of those that were put away without a question."""
@@ -47,17 +47,17 @@ class Workspace:
         self._by_robot: dict[str, Document] = {}
         """The documents of the other robots that the learner has chosen before."""
         self._copies: dict[Document, UnsavedCopy] = {}
-        self._copies_of_replaced: dict[Replaced, UnsavedCopy] = {}
+        self._copies_of_replaced: dict[UnsavedText, UnsavedCopy] = {}
         self._removals: list[UnsavedCopy] = []
         """Copies that may still have to be removed from the disk."""
         self._kept: object = ()
         """What was not saved when the copies were last written."""
         self._is_finished = False
-        self._put_away: list[Replaced] = []
+        self._put_away: list[UnsavedText] = []
         """The unsaved programs that a challenge put away, the oldest first."""
         self.challenge = ""
         """The name of the challenge that the learner left last."""
-        self._taken: set[Path | Replaced] = set()
+        self._taken: set[Path | UnsavedText] = set()
         """What was recovered since the start."""
 
     # --- the documents
@@ -157,7 +157,7 @@ class Workspace:
         lines = len(self.document.lines)
         for document in dict.fromkeys((self.document, *self.by_robot().values())):
             if not document.is_saved:
-                self._put_away = [*self._put_away, Replaced(document.text, document.path)][-MOST_PUT_AWAY:]
+                self._put_away = [*self._put_away, UnsavedText(document.text, document.path)][-MOST_PUT_AWAY:]
             document.replace("", None)
         return lines
 
@@ -187,33 +187,33 @@ class Workspace:
         """The copies that a start offers and that were not recovered yet."""
         return [each for each in self._folder.rescued() if each not in self._taken]
 
-    def recoverable(self) -> Path | Replaced | None:
+    def recoverable(self) -> Path | UnsavedText | None:
         """What RECOVER opens next: a copy of an earlier start, or a program that was replaced in this one."""
         left = [each for each in self._folder.left() if each not in self._taken]
-        found: list[Path | Replaced] = [*self.rescued(), *reversed(self._replaced()), *left]
+        found: list[Path | UnsavedText] = [*self.rescued(), *reversed(self._replaced()), *left]
         return next((each for each in found if each not in self._taken), found[0] if found else None)
 
-    def read_recoverable(self, found: Path | Replaced) -> tuple[SavedCopy, str]:
+    def read_recoverable(self, found: Path | UnsavedText) -> tuple[UnsavedText, str]:
         """The program, and the text that its file has now. Raises ``DocumentError``."""
         from donnie_tui.core.program_files import saved_text
-        from donnie_tui.core.recovery import SavedCopy, read_copy
+        from donnie_tui.core.recovery import read_copy
 
-        program = SavedCopy(found.text, found.path) if isinstance(found, Replaced) else read_copy(found)
+        program = found if isinstance(found, UnsavedText) else read_copy(found)
         return program, saved_text(program.path) if program.path is not None else ""
 
-    def recover(self, found: Path | Replaced, program: SavedCopy, in_file: str) -> None:
+    def recover(self, found: Path | UnsavedText, program: UnsavedText, in_file: str) -> None:
         """Put a recovered program in place of the current one. It is saved if its file has the same text."""
         self.replace(program.text, program.path, in_file=in_file, keeps_empty=True)
         self._taken.add(found)
-        if isinstance(found, Replaced):
+        if isinstance(found, UnsavedText):
             self._put_away = [each for each in self._put_away if each != found]
         else:
             self._copy_of(self.document).want(self.document.text, program.path, instead_of=found)
         self.keep_copies()
 
-    def _replaced(self) -> list[Replaced]:
+    def _replaced(self) -> list[UnsavedText]:
         """The unsaved programs that were replaced, the newest last."""
-        present = {Replaced(each.text, each.path) for each in self.documents}
+        present = {UnsavedText(each.text, each.path) for each in self.documents}
         found = [
             each for document in self.documents for each in document.versions.replaced if each not in present
         ]

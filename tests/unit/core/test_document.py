@@ -13,7 +13,7 @@ from donnie_tui.core.document import (
     Document,
     ProgramTooLong,
 )
-from donnie_tui.core.editing import Replaced
+from donnie_tui.core.editing import UnsavedText
 from donnie_tui.core.program_files import save_question
 from language.parser import parse
 from tests.unit.core.text_editor import Editor
@@ -407,10 +407,10 @@ def test_a_replaced_program_is_known_while_no_file_contains_it() -> None:
     program.replace("X\n", Path("other.gd"))
     program.add("Y")
     program.replace("", None)
-    assert program.versions.replaced == (Replaced("A\n", None), Replaced("X\nY\n", Path("other.gd")))
+    assert program.versions.replaced == (UnsavedText("A\n", None), UnsavedText("X\nY\n", Path("other.gd")))
 
     program.undo()
-    assert program.versions.replaced == (Replaced("A\n", None),)
+    assert program.versions.replaced == (UnsavedText("A\n", None),)
 
 
 def test_no_command_adds_a_line_with_control_characters() -> None:

@@ -7,8 +7,8 @@ import pytest
 from donnie_tui.core import editing
 from donnie_tui.core.editing import (
     Origin,
-    Replaced,
     UndoHistory,
+    UnsavedText,
     Version,
     common_lines,
     first_difference,
@@ -182,8 +182,8 @@ def test_unsaved_programs_that_were_replaced_are_known() -> None:
     history.add(version("c"))
     history.add_line(1)
     history.add(version("d", Origin(None, [], frozenset())))
-    replaced = (Replaced("a\nb\n", Path("mine.gd")), Replaced("d\n", None))
+    replaced = (UnsavedText("a\nb\n", Path("mine.gd")), UnsavedText("d\n", None))
     assert history.replaced == replaced
 
     history.undo(lambda _: version("e", mine))
-    assert history.replaced == (replaced[0], Replaced("e\n", Path("mine.gd")))
+    assert history.replaced == (replaced[0], UnsavedText("e\n", Path("mine.gd")))
