@@ -391,16 +391,11 @@ def numbers_in(typed: str, *, most: int) -> tuple[int, ...] | None:
     return found if all(abs(each) <= LARGEST_NUMBER for each in found) else None
 
 
-def number_in(typed: str, default: int) -> int | None:
-    """The only number in the text, or ``default`` if it is empty."""
-    found = numbers_in(typed, most=1)
-    return found if found is None else next(iter(found), default)
-
-
 def count_in(typed: str, default: int) -> int | None:
-    """As ``number_in``, from 1."""
-    found = number_in(typed, default)
-    return None if found is None or found < 1 else found
+    """The only number in the text, or ``default`` if it is empty; None unless it is 1 or more."""
+    found = numbers_in(typed, most=1)
+    number = 0 if found is None else next(iter(found), default)
+    return number if number >= 1 else None
 
 
 def number_and_text(typed: str) -> tuple[int, str] | None:
