@@ -57,8 +57,8 @@ class Leaving:
     def quit(self) -> None:
         """Leave because of QUIT, which runs as a program of its own: a recording ends with it.
 
-        A robot that a client drives lets no program begin, and keeps nobody. A script that only opened a
-        program did all that it wanted.
+        While a client drives a robot no program begins, and the learner leaves without it. A
+        script that only opened a program did all that it wanted.
         """
         with suppress(Busy):
             drive(run_alone(self._ctx, spelling("QUIT", self._ctx.words.language)))

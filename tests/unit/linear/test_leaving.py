@@ -370,7 +370,7 @@ def test_quit_is_a_program_and_no_failure_of_a_script_that_opened_another(
     assert leaving.code == 0
 
 
-def test_a_robot_that_a_client_drives_keeps_nobody_who_quits(
+def test_the_learner_may_quit_while_a_client_drives_a_robot(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
