@@ -425,7 +425,7 @@ async def test_the_text_of_a_page_that_was_left_alone_is_offered_at_the_next_sta
         await server.start()
         origin = f"http://localhost:{server.port}"
         async with aiohttp.ClientSession() as session:
-            await session.get(server.link)
+            await session.get(server.gate.link)
             async with session.ws_connect(f"{origin}/ws", headers={"Origin": origin}) as terminal:
                 shown, is_typed = Shown(), False
                 async for message in terminal:
