@@ -14,7 +14,7 @@ import itertools
 import os
 import re
 from codecs import BOM_UTF16_BE, BOM_UTF16_LE
-from collections.abc import Container, Iterable
+from collections.abc import Container, Iterable, Iterator
 from typing import TYPE_CHECKING, BinaryIO
 
 from msgspec import Struct, convert
@@ -136,15 +136,22 @@ def checked_path(path: Path) -> Path:
 
     The home of an account, ``~``, is outside.
     """
-    try:
+    with _reported(path, "file-unreadable"):
         if confinement() is not None and str(path).startswith("~"):
             raise OutsideError(path)
         check_name(path)
+    return path
+
+
+@contextlib.contextmanager
+def _reported(path: Path, code: str) -> Iterator[None]:
+    """Raises ``DocumentError`` for a failure with this file, and for one outside of the allowed folders."""
+    try:
+        yield
     except OutsideError as problem:
         raise DocumentError(problem.code, str(path)) from None
     except (OSError, ValueError) as problem:
-        raise DocumentError("file-unreadable", str(path), reason_of(problem)) from None
-    return path
+        raise DocumentError(code, str(path), reason_of(problem)) from None
 
 
 def unquoted(name: str) -> str:
@@ -188,7 +195,7 @@ def programs_in(folder: Path, inside: Container[str] = ()) -> tuple[ProgramEntry
     ``DocumentError``.
     """
     found = []
-    try:
+    with _reported(folder, "file-unreadable"):
         here = real_path(folder)
         for name, is_folder, is_link in folder_items(folder):
             path, shown = folder / name, printable(name)
@@ -199,10 +206,6 @@ def programs_in(folder: Path, inside: Container[str] = ()) -> tuple[ProgramEntry
             real = real_path(path) if is_link else f"{here.rstrip(os.sep)}{os.sep}{name}"
             if not is_link or (real not in inside and part_below(real, here) is None):
                 found.append(ProgramEntry(path, f"{shown}/", fold_name(shown), real))
-    except OutsideError as problem:
-        raise DocumentError(problem.code, str(folder)) from None
-    except (OSError, ValueError) as problem:
-        raise DocumentError("file-unreadable", str(folder), reason_of(problem)) from None
     return tuple(sorted(found, key=_place))
 
 
@@ -239,17 +242,14 @@ def read_program(path: Path) -> str:
 
 def read_to_the_end(path: Path) -> str:
     """As ``read_program``, but reads a pipe too, until it is closed. One that stays empty is refused."""
-    try:
+    with _reported(path, "file-unreadable"):
         if path.is_dir():
             raise DocumentError("file-is-folder", str(path))
-        with _open_pipe(path) if path.is_fifo() else open_bytes(path) as file:
-            return decode(file.read(LARGEST + 1), str(path))  # a device has no end
-    except FileNotFoundError:
-        raise DocumentError("file-not-found", str(path)) from None
-    except OutsideError as problem:
-        raise DocumentError(problem.code, str(path)) from None
-    except (OSError, ValueError) as problem:
-        raise DocumentError("file-unreadable", str(path), reason_of(problem)) from None
+        try:
+            with _open_pipe(path) if path.is_fifo() else open_bytes(path) as file:
+                return decode(file.read(LARGEST + 1), str(path))  # a device has no end
+        except FileNotFoundError:
+            raise DocumentError("file-not-found", str(path)) from None
 
 
 def _open_pipe(path: Path) -> BinaryIO:
@@ -320,10 +320,8 @@ def as_lines(text: str) -> str:
 
 def write_program(path: Path, text: str) -> None:
     """Write a program as UTF-8. Raises ``DocumentError``."""
-    try:
+    with _reported(path, "file-unwritable"):
         data = text.encode("utf-8")
-    except ValueError as problem:
-        raise DocumentError("file-unwritable", str(path), reason_of(problem)) from None
     write_bytes(path, data)
 
 
@@ -331,7 +329,7 @@ def write_bytes(path: Path, data: bytes) -> None:
     """Write a file whole or not at all. Raises ``DocumentError``."""
     from pathlib import Path
 
-    try:
+    with _reported(path, "file-unwritable"):
         # in a confined session a link that is made from now on is not followed
         target = Path(real_path(path))
         if target.is_symlink():
@@ -343,10 +341,6 @@ def write_bytes(path: Path, data: bytes) -> None:
         if target.exists() and not os.access(target, os.W_OK):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
         _replace_file(target, data)
-    except OutsideError as problem:
-        raise DocumentError(problem.code, str(path)) from None
-    except (OSError, ValueError) as problem:
-        raise DocumentError("file-unwritable", str(path), reason_of(problem)) from None
 
 
 def write_companion(path: Path, suffix: str, data: bytes) -> str:
