@@ -21,7 +21,7 @@ from donnie_tui.core.editing import (
     TextEditor,
     UndoHistory,
     Version,
-    first_difference,
+    common_lines,
     followed,
     joined,
     shifted,
@@ -438,7 +438,7 @@ class Document:
         """Replace the whole text, as one change. Raises ``ProgramTooLong``."""
         before, lines = self._checked(), lines_in(cleaned(text))
         breakpoints = followed(self.breakpoints, before, lines)
-        self._edit(lines, breakpoints, first_difference(before, lines) + 1)
+        self._edit(lines, breakpoints, common_lines(before, lines)[0] + 1)
 
     def replace_range(self, start: int, end: int, text: str) -> None:
         """Replace the characters between two offsets, as one change. Raises ``ProgramTooLong``."""
@@ -531,10 +531,10 @@ class Document:
         if self._editor.text == text:
             return None
         self._lines = lines_in(self._editor.text)
-        return first_difference(lines, self._lines) + 1
+        return common_lines(lines, self._lines)[0] + 1
 
     def _become(self, other: Version) -> int:
-        same = first_difference(other.lines, self._lines)
+        same = common_lines(other.lines, self._lines)[0]
         self._breakpoints = followed(self.breakpoints, self._lines, other.lines)
         if same < self._ran:
             self._ran = 0

@@ -190,9 +190,3 @@ def followed(lines: Iterable[int], before: Sequence[str], after: Sequence[str]) 
     added = len(after) - len(before)
     top, same = common_lines(before, after)
     return shifted(lines, top, len(before) - same, added) if added else frozenset(lines)
-
-
-def first_difference(one: Sequence[str], other: Sequence[str]) -> int:
-    """The index of the first line that differs; the length of the shorter one, where the rest is equal."""
-    pairs = enumerate(zip(one, other, strict=False))
-    return next((at for at, (left, right) in pairs if left != right), min(len(one), len(other)))
