@@ -239,7 +239,8 @@ class SerialLink(ConnectionState):
         self.wait_until_standing()
         self._is_closing.set()
         self._must_wake.set()
-        thread.join(TIMEOUT)
+        if thread.is_alive():  # no more, or not yet where `connect` was interrupted
+            thread.join(TIMEOUT)
         self.wait_until_notified()
         self._thread = None
         atexit.unregister(self.close)

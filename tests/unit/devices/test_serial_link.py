@@ -139,6 +139,33 @@ def test_a_port_without_an_answer_is_closed_again() -> None:
     assert (caught.value.code, link.state) == ("no-answer", LinkState.CLOSED)
 
 
+@pytest.mark.parametrize("has_begun", [False, True])
+def test_connecting_that_is_interrupted_as_its_thread_begins_can_be_closed(
+    pty_board: PtyBoard, monkeypatch: pytest.MonkeyPatch, has_begun: bool
+) -> None:
+    """A signal's handler may raise at any moment of ``Thread.start``."""
+    begin = threading.Thread.start
+
+    def interrupted(thread: threading.Thread) -> None:
+        if not thread.name.startswith("link "):
+            begin(thread)
+            return
+        if has_begun:
+            begin(thread)
+        raise KeyboardInterrupt
+
+    link = SerialLink(pty_board.path, SLOW_MACHINE)
+    with monkeypatch.context() as patched:
+        patched.setattr(threading.Thread, "start", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            link.connect()
+
+    link.close()
+    link.close()
+
+    assert not [each for each in threading.enumerate() if each.name == f"link {link.name}"]
+
+
 @pytest.mark.parametrize("moment", ["before", "meanwhile"])
 def test_connecting_can_be_given_up_and_tried_again(pty_board: PtyBoard, moment: str) -> None:
     """A loop never answers as a board does: otherwise connecting would take a thousand seconds."""
