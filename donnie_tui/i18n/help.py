@@ -21,7 +21,7 @@ from donnie_tui.core.wording import BRAILLE_CELLS, Wording
 from language import keywords
 from language.locales import first_page
 from language.source import fold_name, quoted
-from language.suggestions import SAMPLES, everyday, nearest
+from language.suggestions import SAMPLES, everyday
 
 
 class HelpTopic(Struct, frozen=True):
@@ -178,9 +178,12 @@ def _spelled(place: str, words: Wording) -> str:
 
 def _unknown(topic: str, words: Wording) -> tuple[str, ...]:
     shown = quoted(topic)
-    near = nearest(topic, keywords.all_words(), keywords.all_words(words.language))
+    known = {word.lower(): word for word in keywords.all_words()}
+    import difflib
+
+    near = difflib.get_close_matches(shown.lower(), known, cutoff=0.7)
     if near:
-        return (words("help-unknown-near", topic=shown, near=near),)
+        return (words("help-unknown-near", topic=shown, near=known[near[0]]),)
     return (words("help-unknown", topic=shown, help=_spelled("HELP", words)),)
 
 

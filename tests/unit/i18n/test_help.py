@@ -79,11 +79,6 @@ def test_a_misspelt_topic_gets_the_nearest_word() -> None:
     assert Words("en").help("REPAET") == ("I do not know REPAET. Did you mean REPEAT?",)
 
 
-@pytest.mark.parametrize(("language", "near"), [("en", "DISTANCE"), ("pt", "DISTÂNCIA"), ("es", "DISTANCIA")])
-def test_a_misspelt_topic_gets_the_word_of_the_learners_language(language: str, near: str) -> None:
-    assert near in Words(language).help("DISTANCA")[0]
-
-
 @pytest.mark.parametrize("topic", ["", "zzz", "x" * 10_000, "{0}", "\x1b"])
 def test_the_answer_to_an_unknown_topic_is_one_short_line(topic: str) -> None:
     (line,) = Words("en").help(topic)
