@@ -239,8 +239,10 @@ class SerialLink(ConnectionState):
         self.wait_until_standing()
         self._is_closing.set()
         self._must_wake.set()
-        if thread.is_alive():  # no more, or not yet where `connect` was interrupted
+        if thread.is_alive():
             thread.join(TIMEOUT)
+        elif thread.ident is None:  # `connect` was interrupted before it began
+            self._finish()
         self.wait_until_notified()
         self._thread = None
         atexit.unregister(self.close)

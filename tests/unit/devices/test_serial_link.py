@@ -164,6 +164,7 @@ def test_connecting_that_is_interrupted_as_its_thread_begins_can_be_closed(
     link.close()
 
     assert not [each for each in threading.enumerate() if each.name == f"link {link.name}"]
+    open_board_port(link.name).close()
 
 
 @pytest.mark.parametrize("moment", ["before", "meanwhile"])
