@@ -79,6 +79,13 @@ def test_a_misspelt_topic_gets_the_nearest_word() -> None:
     assert Words("en").help("REPAET") == ("I do not know REPAET. Did you mean REPEAT?",)
 
 
+@pytest.mark.parametrize(
+    ("topic", "near"), [("WHILST", "WHILE"), ("BACKW", "BACKWARD"), ("END PROC", "END PROCEDURE")]
+)
+def test_a_topic_that_ends_otherwise_or_is_cut_off_gets_the_nearest_word(topic: str, near: str) -> None:
+    assert Words("en").help(topic) == (f"I do not know {topic}. Did you mean {near}?",)
+
+
 @pytest.mark.parametrize("topic", ["", "zzz", "x" * 10_000, "{0}", "\x1b"])
 def test_the_answer_to_an_unknown_topic_is_one_short_line(topic: str) -> None:
     (line,) = Words("en").help(topic)
