@@ -245,7 +245,7 @@ class Model(Struct, frozen=True):
 
     @property
     def called(self) -> str:
-        """The same; empty if the world gives it only a number."""
+        """That name; empty if the world gives the model only a number."""
         return "" if ":" in self.spoken_name else self.spoken_name
 
     def outlines(self) -> Iterator[tuple[Point, ...]]:

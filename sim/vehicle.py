@@ -130,9 +130,10 @@ class Ramped:
 
 
 Course: TypeAlias = Even | Ramped
+"""The distance of a movement over time."""
 
 
-@lru_cache(maxsize=1000)
+@lru_cache(maxsize=200)
 def walk_stops(course: Course, done: float, end: float) -> tuple[float, ...]:
     """Where the ticks of a walk from ``done`` to ``end`` steps end."""
     stops = list[float]()
