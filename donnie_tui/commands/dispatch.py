@@ -16,7 +16,7 @@ from donnie_tui.commands.declarations import BY_NAME, Command, When
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood
 from donnie_tui.commands.lookup import not_understood, typed_form, unknown_word, word_of
 from donnie_tui.core.run_state import NothingRuns, NothingToRun, RunState
-from donnie_tui.core.session import Busy
+from donnie_tui.core.session import Busy, Taken
 from donnie_tui.i18n.words import Unusable
 
 if TYPE_CHECKING:
@@ -67,8 +67,7 @@ async def perform(ctx: Context, command: Command, argument: str | None) -> None:
         say_in_words(ctx, command.in_words)
         return
     if not is_possible(ctx, command):
-        ctx.refuse()
-        ctx.answer_of_robot("screen-busy")
+        refuse_busy(ctx, Busy())
         return
     if command.is_about_now:
         ctx.say(*ctx.runs.to_present())
@@ -98,14 +97,23 @@ async def attempt(ctx: Context, task: Awaitable[None]) -> None:
         ctx.answer("answer-nothing-runs")
     except NothingToRun:
         ctx.answer("answer-nothing-to-run")
-    except Busy:
-        ctx.answer_of_robot("screen-busy")
+    except Busy as busy:
+        refuse_busy(ctx, busy)
     except Unusable as unusable:
         ctx.refuse(UNUSABLE)
         ctx.say(*unusable.sentences)
     except _document_error() as error:
         ctx.refuse(UNUSABLE)
         ctx.answer(error.code, path=error.path, reason=error.reason)
+
+
+def refuse_busy(ctx: Context, busy: Busy) -> None:
+    """Answer that a program runs, which STOP stops, or that a client drives a robot."""
+    ctx.refuse()
+    if isinstance(busy, Taken):
+        ctx.answer("robot-taken")
+    else:
+        ctx.answer_of_robot("screen-busy")
 
 
 async def confirm_replacing(ctx: Context, code: str, path: Path) -> None:

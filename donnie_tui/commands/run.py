@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from donnie_tui.commands.context import Context
-from donnie_tui.commands.dispatch import handles
+from donnie_tui.commands.dispatch import handles, refuse_busy
 from donnie_tui.commands.interaction import NotUnderstood, read_numbers
 from donnie_tui.core.events import TYPED, Error, Outcome
 from donnie_tui.core.run_controller import RunController
 from donnie_tui.core.run_state import Begin, NothingRuns, NothingToRun, Request, RunState
 from donnie_tui.core.runner import Run, RunRequest
-from donnie_tui.core.session import LONGEST_STOP, Busy
+from donnie_tui.core.session import LONGEST_STOP, Busy, Taken
 from donnie_tui.settings.parsing import FASTEST, SLOWEST, read_speed
 from donnie_tui.settings.settings import faster_than, slower_than, speed_words
 from language.control import ExecutionControl
@@ -51,8 +51,8 @@ async def run_program(ctx: Context, *, is_whole: bool, begin: Begin | None = Non
     except NothingToRun:
         ctx.answer("answer-nothing-to-run")
         return
-    except Busy:
-        ctx.answer_of_robot("screen-busy")
+    except Busy as busy:
+        refuse_busy(ctx, busy)
         return
     if await ctx.interaction.follow([(ctx.donnie.session.hub.robot, started)]):
         _note_run(ctx, started, is_whole=is_whole)
@@ -198,6 +198,8 @@ async def together(ctx: Context, _: str) -> None:
     except NothingToRun:
         ctx.answer("robot-no-programs")
         return
+    except Taken:
+        raise
     except Busy as busy:
         ctx.answer("robot-busy", name=str(busy))
         return
@@ -277,7 +279,7 @@ async def _step(ctx: Context, go_on: Callable[[RunController], None], begin: Beg
     if ctx.runs.is_steppable:
         go_on(ctx.runs)
     elif ctx.runs.state is not RunState.READY:
-        ctx.answer_of_robot("screen-busy")
+        refuse_busy(ctx, Busy())
     elif ctx.program.is_waiting or not ctx.program.lines:
         await run_program(ctx, is_whole=False, begin=begin)
     else:

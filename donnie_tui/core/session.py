@@ -52,6 +52,10 @@ class Busy(Exception):
     """A program is running already."""
 
 
+class Taken(Busy):
+    """A client of the Player server drives another robot of the world."""
+
+
 class SessionSetup(Struct, frozen=True):
     """The parts of a session, apart from its robot and the words."""
 
@@ -206,8 +210,10 @@ class Session:
     def claim(self, text: str, name: str, options: RunOptions = RUN_OPTIONS) -> Run:
         """As ``start``, but the run waits for ``begin``: for robots that start together."""
         with self._lock:
-            if self._run is not None or (options.driver is None and self.is_taken()):
+            if self._run is not None:
                 raise Busy(self.name)
+            if options.driver is None and self.is_taken():
+                raise Taken(self.name)
             how = HowStarted(
                 text,
                 options.first_line,

@@ -20,7 +20,7 @@ from textual.widgets import Input, TextArea
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.declarations import BY_NAME, Command
-from donnie_tui.commands.dispatch import attempt, perform, says_slip
+from donnie_tui.commands.dispatch import attempt, perform, refuse_busy, says_slip
 from donnie_tui.commands.files import compare_with_file, open_file
 from donnie_tui.commands.interaction import begin
 from donnie_tui.commands.keys import KeyTable, not_understood
@@ -188,8 +188,8 @@ class ScreenController:
         if not says_slip(self.ctx, text) and not self._opens_block(text):
             try:
                 self.ctx.runs.start(RunRequest(text, self.words("typed-program"), is_whole=False))
-            except Busy:
-                self.ctx.answer_of_robot("screen-busy")
+            except Busy as busy:
+                refuse_busy(self.ctx, busy)
             self.display.update()
         return None
 
